@@ -1,0 +1,51 @@
+# plumb_library(NAME SOURCES... HEADERS... [PUBLIC libs...] [PRIVATE libs...])
+#   The static library plumb_NAME with the alias plumb::NAME. Its headers form a header set, so that the
+#   ci preset compiles each of them alone.
+function(plumb_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  add_library(plumb_${name} STATIC ${arg_SOURCES})
+  add_library(plumb::${name} ALIAS plumb_${name})
+  target_sources(plumb_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${arg_HEADERS})
+  target_link_libraries(plumb_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+endfunction()
+
+# plumb_tests(NAME SOURCES... [LIBRARIES libs...] [DEFINES ...])
+#   One GoogleTest program NAME_test; each of its tests is a test of ctest.
+function(plumb_tests name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES;DEFINES" ${ARGN})
+  find_package(GTest REQUIRED)
+  add_executable(${name}_test ${arg_SOURCES})
+  target_link_libraries(${name}_test PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
+  target_compile_definitions(${name}_test PRIVATE
+    PLUMB_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PLUMB_SHARED_DIR="${PLUMB_SHARED_DIR}"
+    PLUMB_PROGRAM="${PROJECT_BINARY_DIR}/bin/plumb" ${arg_DEFINES})
+  include(GoogleTest)
+  gtest_discover_tests(${name}_test TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()
+
+# plumb_kinds(OUT TYPE HEADER NAMESPACE_VARIABLE FILES...)
+#   Writes OUT, a table with a pointer to the one constant of each kind file. The constant of
+#   `some_thing.cpp` is `some_thing_kind`. Static registrars would be dropped by the linker unseen.
+function(plumb_kinds out type header table)
+  set(declarations "")
+  set(entries "")
+  foreach(file IN LISTS ARGN)
+    cmake_path(GET file STEM stem)
+    string(APPEND declarations "extern const ${type} ${stem}_kind;\n")
+    string(APPEND entries "    &${stem}_kind,\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${out}" CONTENT
+"// Written by CMake from the files of the folder; do not edit.
+#include \"${header}\"
+
+namespace plumb {
+${declarations}
+namespace {
+const ${type}* const kKinds[] = {
+${entries}};
+}  // namespace
+
+std::span<const ${type}* const> ${table}() { return kKinds; }
+}  // namespace plumb
+" @ONLY)
+endfunction()

@@ -1,0 +1,166 @@
+#include "meshes/formats/msh_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "meshes/formats/file_bytes.h"
+#include "meshes/formats/text_cursor.h"
+#include "renderer/math/nearest_name.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::array<std::string_view, 4> kKeywords = {"vertices", "triangles", "texcoords", "normals"};
+enum Section { kVertices, kTriangles, kTexcoords, kNormals };
+
+class MshReader {
+ public:
+  MshReader(std::string_view text, const std::string& file) : cursor_(text, file) {}
+
+  TriangleMesh read() {
+    const std::uint32_t vertices = read_count("vertices");
+    reserved_bytes_ = std::uint64_t{kBytesPerTriple} * vertices;
+    const std::uint32_t triangles = read_count("triangles");
+    mesh_.positions.resize(vertices);
+    mesh_.triangles.resize(triangles);
+    for (std::string_view word = cursor_.next(); !word.empty(); word = cursor_.next()) read_section(word);
+    for (const Section needed : {kVertices, kTriangles}) {
+      if (!seen_[needed])
+        cursor_.fail_at_end("the file ends without the keyword " + quoted(kKeywords[needed]) +
+                            "; expected it and its numbers");
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Three numbers of one digit, each with white space behind it.
+  static constexpr std::uint32_t kBytesPerTriple = 6;
+
+  std::uint32_t read_count(const std::string& of) {
+    const std::string_view word = cursor_.next();
+    if (word.empty()) {
+      cursor_.fail_at_end((of == "vertices" ? "the file is empty" : "the file ends") +
+                          std::string("; expected the number of ") + of);
+    }
+    const std::uint32_t count = cursor_.whole(word, "the number of " + of);
+    // The last number may end the file, hence the 1.
+    if (reserved_bytes_ + std::uint64_t{kBytesPerTriple} * count > cursor_.bytes_left() + 1) {
+      cursor_.fail(word, std::to_string(count) + " " + of + " do not fit in the " +
+                             std::to_string(cursor_.bytes_left()) + " bytes that follow; expected a number of " + of +
+                             " that the file holds");
+    }
+    return count;
+  }
+
+  void read_section(std::string_view word) {
+    const auto known = std::find(kKeywords.begin(), kKeywords.end(), word);
+    if (known == kKeywords.end()) refuse_keyword(word);
+    const auto section = static_cast<Section>(known - kKeywords.begin());
+    if (seen_[section]) cursor_.fail(word, "a second " + quoted(word) + "; expected each keyword at most once");
+    seen_[section] = true;
+    last_section_ = section;
+    const std::size_t vertices = mesh_.positions.size();  // proven to fit the file, so no list below is too long
+    switch (section) {
+      case kVertices:
+        read_triples(mesh_.positions);
+        break;
+      case kTriangles:
+        read_triangles();
+        break;
+      case kNormals:
+        mesh_.normals.resize(vertices);
+        read_triples(mesh_.normals);
+        break;
+      case kTexcoords:
+        mesh_.texcoords.resize(vertices);
+        for (std::size_t i = 0; i < vertices; ++i) {
+          mesh_.texcoords[i].u = read_number(2 * i, 2 * vertices);
+          mesh_.texcoords[i].v = read_number(2 * i + 1, 2 * vertices);
+        }
+    }
+  }
+
+  [[noreturn]] void refuse_keyword(std::string_view word) const {
+    double number = 0;
+    if (parse_number(word, number)) {
+      const std::string after = last_section_ < 0 ? "the counts"
+                                                  : "the last number of the " +
+                                                        std::string(kKeywords[static_cast<std::size_t>(last_section_)]);
+      cursor_.fail(word,
+                   "the number " + quoted(word) + " follows " + after + "; expected a keyword or the end of the file");
+    }
+    const std::string_view nearest = nearest_name(word, kKeywords);
+    const std::string expected = nearest.empty()
+                                     ? "expected vertices, triangles, texcoords or normals, or the end of the file"
+                                     : "expected " + quoted(nearest);
+    cursor_.fail(word, quoted(word) + " is not a keyword; " + expected);
+  }
+
+  template <class Triple>
+  void read_triples(std::vector<Triple>& triples) {
+    const std::size_t total = 3 * triples.size();
+    for (std::size_t i = 0; i < triples.size(); ++i) {
+      triples[i].x = read_number(3 * i, total);
+      triples[i].y = read_number(3 * i + 1, total);
+      triples[i].z = read_number(3 * i + 2, total);
+    }
+  }
+
+  void read_triangles() {
+    const std::size_t vertices = mesh_.positions.size();
+    const std::size_t total = 3 * mesh_.triangles.size();
+    for (std::size_t i = 0; i < total; ++i) {
+      const std::string_view word = cursor_.next();
+      std::uint32_t& index = mesh_.triangles[i / 3][i % 3];
+      if (!parse_whole(word, index) || index >= vertices) refuse_index(word, i, total);
+    }
+  }
+
+  double read_number(std::size_t done, std::size_t total) {
+    const std::string_view word = cursor_.next();
+    double value = 0;
+    if (parse_number(word, value)) return value;
+    if (word.empty()) end_early(done, total);
+    return cursor_.number(word, progress(done, total));
+  }
+
+  [[noreturn]] void refuse_index(std::string_view word, std::size_t done, std::size_t total) const {
+    if (word.empty()) end_early(done, total);
+    const std::size_t vertices = mesh_.positions.size();
+    const std::string range = vertices == 0 ? "no index, the mesh has no vertices"
+                                            : "a vertex index from 0 to " + std::to_string(vertices - 1);
+    std::uint32_t index = 0;
+    const std::string fault = parse_whole(word, index) ? " is out of range" : " is not a vertex index";
+    cursor_.fail(word, quoted(word) + fault + "; expected " + range + " (" + progress(done, total) + ")");
+  }
+
+  [[noreturn]] void end_early(std::size_t done, std::size_t total) const {
+    cursor_.fail_at_end("the file ends in the " + section_name() + ": " + std::to_string(done) + " of " +
+                        std::to_string(total) + " numbers read");
+  }
+
+  std::string progress(std::size_t done, std::size_t total) const {
+    return "number " + std::to_string(done + 1) + " of " + std::to_string(total) + " of the " + section_name();
+  }
+
+  std::string section_name() const { return std::string(kKeywords[static_cast<std::size_t>(last_section_)]); }
+
+  TextCursor cursor_;
+  TriangleMesh mesh_;
+  std::uint64_t reserved_bytes_ = 0;
+  std::array<bool, 4> seen_{};
+  int last_section_ = -1;
+};
+
+}  // namespace
+
+TriangleMesh read_msh(const std::filesystem::path& file) {
+  const std::string text = file_bytes(file);
+  return MshReader(text, file.string()).read();
+}
+
+}  // namespace plumb

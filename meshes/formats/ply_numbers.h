@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "meshes/formats/ply_header.h"
+#include "meshes/formats/text_cursor.h"
+
+namespace plumb {
+
+/// Takes number after number from the body of a PLY file, text or binary. The content must outlive it.
+class PlyNumbers {
+ public:
+  PlyNumbers(const std::string& content, std::string file, const TextCursor& at_body, PlyFormat format);
+
+  /// The next number; text ignores the type. Not finite only where a binary file says so. Throws InputError
+  /// at the end of the file and for a word that is no finite number.
+  double next(PlyType type);
+  /// Throws InputError unless all numbers have been taken.
+  void expect_end();
+  /// Throws InputError, in a text at the number taken last.
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  const std::string& content_;
+  std::string file_;
+  TextCursor text_;
+  std::string_view word_;
+  PlyFormat format_;
+  std::size_t offset_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace plumb {
+
+/// Walks through the words of a text file: runs of bytes without white space (space, tab, CR, LF, VT, FF).
+/// The words are views into the text, which must outlive the cursor. Line and column are worked out from
+/// a word's address only when an error is raised.
+class TextCursor {
+ public:
+  TextCursor(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+
+  /// The next word; at the end of the text an empty view that still tells the place.
+  std::string_view next();
+  /// The next word of the line; at the line's end an empty view that tells the place. The words from
+  /// `comment` (unless it is NUL) to the line's end do not count.
+  std::string_view next_in_line(char comment = '\0');
+  /// Steps behind the end of the current line. False if the text has no further line.
+  bool next_line();
+  /// The bytes behind the last word that was taken.
+  std::size_t bytes_left() const { return text_.size() - position_; }
+  /// The offset behind the last word or line that was taken.
+  std::size_t position() const { return position_; }
+
+  /// The finite number that `word` spells in decimal, with or without a sign. Otherwise throws InputError
+  /// at the word: what is wrong with it, and that `expected` was expected.
+  double number(std::string_view word, std::string_view expected) const;
+  /// As `number`; also refuses what does not fit single precision.
+  double single(std::string_view word, std::string_view expected) const;
+  /// The whole number from 0 to 4294967295 that `word` spells; otherwise InputError as `number`.
+  std::uint32_t whole(std::string_view word, std::string_view expected) const;
+
+  /// Throws InputError at a word of this text.
+  [[noreturn]] void fail(std::string_view word, const std::string& what) const;
+  /// Throws InputError at the end of the text.
+  [[noreturn]] void fail_at_end(const std::string& what) const;
+
+ private:
+  std::string_view text_;
+  std::string file_;
+  std::size_t position_ = 0;
+};
+
+/// `word` between quotes, cut after 40 bytes.
+std::string quoted(std::string_view word);
+
+/// Whether `word` spells a finite number that fits a double, and if so which. Decimal, with or without a sign.
+bool parse_number(std::string_view word, double& value);
+/// The same for a whole number from 0 to 4294967295.
+bool parse_whole(std::string_view word, std::uint32_t& value);
+
+}  // namespace plumb

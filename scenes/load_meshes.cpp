@@ -1,0 +1,60 @@
+#include "scenes/load_meshes.h"
+
+#include <filesystem>
+#include <set>
+
+#include "meshes/read_mesh.h"
+#include "renderer/math/input_error.h"
+
+namespace plumb {
+namespace {
+
+double single(double x) { return static_cast<float>(x); }
+
+TriangleMesh in_single_precision(TriangleMesh mesh) {
+  for (Point3& p : mesh.positions) p = {single(p.x), single(p.y), single(p.z)};
+  for (Normal3& n : mesh.normals) n = {single(n.x), single(n.y), single(n.z)};
+  for (TexCoord& c : mesh.texcoords) c = {single(c.u), single(c.v)};
+  return mesh;
+}
+
+class MeshLoader {
+ public:
+  explicit MeshLoader(const SceneDescription& scene) : folder_(scene.file.parent_path()) {}
+
+  void visit(const ObjectPointer& object) {
+    if (!visited_.insert(object.get()).second) return;
+    for (const Property& property : object->properties) {
+      if (const auto* child = std::get_if<ObjectPointer>(&property.value)) visit(*child);
+      if (property.parameter->type == ValueType::file) load(*object, property.parameter->name);
+    }
+  }
+
+  MeshTable take() { return std::move(meshes_); }
+
+ private:
+  void load(const ObjectDescription& object, std::string_view parameter) {
+    const std::string name = object.file_name(parameter);
+    if (meshes_.contains(name)) return;
+    const std::filesystem::path file = folder_ / name;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+      throw InputError(object.where(parameter), "the mesh '" + file.string() + "' does not exist, expected a file relative to the scene's folder");
+    }
+    meshes_.emplace(name, std::make_shared<const TriangleMesh>(in_single_precision(read_mesh(file))));
+  }
+
+  std::filesystem::path folder_;
+  std::set<const ObjectDescription*> visited_;
+  MeshTable meshes_;
+};
+
+}  // namespace
+
+MeshTable load_meshes(const SceneDescription& scene) {
+  MeshLoader loader(scene);
+  loader.visit(scene.scene);
+  return loader.take();
+}
+
+}  // namespace plumb

@@ -1,0 +1,205 @@
+#include "scenes/read_scene.h"
+
+#include <map>
+#include <pugixml.hpp>
+#include <utility>
+
+#include "renderer/math/nearest_name.h"
+#include "scenes/scene_kind.h"
+#include "scenes/xml_source.h"
+
+namespace plumb {
+namespace {
+
+constexpr int kDeepestNesting = 2000;
+
+std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
+std::string tag(std::string_view name) { return "<" + std::string(name) + ">"; }
+
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n\f\v") == std::string_view::npos; }
+
+/// `ray.shader.Lambertian` names the same class as `Lambertian`.
+std::string_view without_package(std::string_view type) {
+  const std::size_t dot = type.rfind('.');
+  return dot == std::string_view::npos ? type : type.substr(dot + 1);
+}
+
+class SceneReader {
+ public:
+  SceneReader(const XmlSource& source, const KindTable& kinds) : source_(source), kinds_(kinds) {
+    kinds_.kinds.push_back(&group_kind);
+  }
+
+  SceneDescription read() {
+    const pugi::xml_node root = source_.root();
+    if (!equal_ignoring_case(root.name(), "scene")) fail(root, "the root element is " + tag(root.name()) + ", expected <scene>");
+    description_.scene = read_object(root, scene_kind, 0);
+    check_image_size(*description_.scene);
+    return std::move(description_);
+  }
+
+ private:
+  /// What a `name` stands for: only a parameter that takes the same kind of thing may refer to it.
+  struct Named {
+    ValueType type;
+    Role role;
+    Value value;
+  };
+
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const { throw InputError(location(node), what); }
+
+  SourceLocation location(const pugi::xml_node& node) const {
+    const TextPosition at = source_.position(node);
+    return {*source_.file(), at.line, at.column};
+  }
+
+  void warn(const pugi::xml_node& node, const std::string& what) {
+    description_.warnings.push_back(to_string(location(node)) + ": warning: " + what);
+  }
+
+  ObjectPointer read_object(const pugi::xml_node& node, const Kind& kind, int depth) {
+    if (depth > kDeepestNesting) fail(node, "elements are nested more than " + std::to_string(kDeepestNesting) + " deep");
+    auto object = std::make_shared<ObjectDescription>();
+    object->kind = &kind;
+    object->name = node.attribute("name").value();
+    object->file = source_.file();
+    object->position = source_.position(node);
+    for (const pugi::xml_node& child : node.children()) {
+      if (child.type() == pugi::node_element) {
+        read_property(child, kind, *object, depth);
+      } else if (!is_blank(child.value())) {
+        fail(child, "unexpected text in " + tag(node.name()) + ", expected elements");
+      }
+    }
+    for (const Parameter& parameter : kind.parameters) {
+      if (parameter.presence == Presence::required && !object->has(parameter.name)) {
+        fail(node, tag(node.name()) + " of kind " + std::string(kind.name) + " lacks " + tag(parameter.name) + ", expected " +
+                       std::string(to_string(parameter.type)));
+      }
+    }
+    return object;
+  }
+
+  void read_property(const pugi::xml_node& node, const Kind& owner, ObjectDescription& object, int depth) {
+    const Parameter& written = parameter_for(node, owner);
+    const Parameter& parameter = written.alias_of.empty() ? written : parameter_named(owner, written.alias_of);
+    check_attributes(node, parameter);
+    if (!parameter.repeatable && object.has(parameter.name)) {
+      warn(node, tag(node.name()) + " was given before at line " + std::to_string(object.where(parameter.name).line) +
+                     "; the last one counts");
+    }
+    Value value = node.attribute("ref") ? referred(node, parameter) : read_value(node, parameter, depth);
+    if (const std::string name = node.attribute("name").value(); !name.empty()) {
+      if (named_.contains(name)) warn(node, "the name " + in_quotes(name) + " was given before; from here on it means this element");
+      named_.insert_or_assign(name, Named{parameter.type, parameter.role, value});
+    }
+    object.properties.push_back({&parameter, std::move(value), source_.position(node)});
+  }
+
+  Value read_value(const pugi::xml_node& node, const Parameter& parameter, int depth) {
+    if (parameter.type == ValueType::object) return read_object(node, kind_for(node, parameter.role), depth + 1);
+    std::string text;
+    for (const pugi::xml_node& child : node.children()) {
+      if (child.type() == pugi::node_element) {
+        fail(child, "unexpected " + tag(child.name()) + " in " + tag(node.name()) + ", expected " + std::string(to_string(parameter.type)));
+      }
+      text += child.value();
+    }
+    return parse_value(parameter, text, location(node));
+  }
+
+  const Parameter& parameter_for(const pugi::xml_node& node, const Kind& owner) const {
+    std::vector<std::string_view> names;
+    for (const Parameter& parameter : owner.parameters) {
+      if (equal_ignoring_case(parameter.name, node.name())) return parameter;
+      names.push_back(parameter.name);
+    }
+    std::string known;
+    for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
+    if (known.empty()) known = "no elements";
+    fail(node, "unknown tag " + tag(node.name()) + " in " + std::string(owner.name) + ", expected " + known + did_you_mean(node.name(), names));
+  }
+
+  static const Parameter& parameter_named(const Kind& owner, std::string_view name) {
+    for (const Parameter& parameter : owner.parameters)
+      if (parameter.name == name) return parameter;
+    throw std::logic_error("an alias names a parameter that does not exist");
+  }
+
+  void check_attributes(const pugi::xml_node& node, const Parameter& parameter) const {
+    static constexpr std::string_view kKnown[] = {"type", "name", "ref"};
+    for (const pugi::xml_attribute& attribute : node.attributes()) {
+      const std::string_view name = attribute.name();
+      if (name == "type" && parameter.type != ValueType::object) fail(node, tag(node.name()) + " takes no type, it is " + std::string(to_string(parameter.type)));
+      if (name != "type" && name != "name" && name != "ref") {
+        fail(node, "unknown attribute " + in_quotes(name) + " of " + tag(node.name()) + ", expected type, name or ref" + did_you_mean(name, kKnown));
+      }
+    }
+  }
+
+  const Kind& kind_for(const pugi::xml_node& node, Role role) const {
+    const pugi::xml_attribute type = node.attribute("type");
+    if (!type) {
+      if (const Kind* kind = kinds_.default_of(role)) return *kind;
+      fail(node, tag(node.name()) + " has no type, expected type=\"...\" with one of " + known_kinds(role));
+    }
+    const std::string_view name = without_package(type.value());
+    if (const Kind* kind = kinds_.find(role, name)) return *kind;
+    fail(node, "unknown type " + in_quotes(type.value()) + " of " + tag(node.name()) + ", expected one of " + known_kinds(role) +
+                   did_you_mean(name, kinds_.names(role)));
+  }
+
+  std::string known_kinds(Role role) const {
+    std::string text;
+    for (const std::string_view name : kinds_.names(role)) text += (text.empty() ? "" : ", ") + std::string(name);
+    return text;
+  }
+
+  Value referred(const pugi::xml_node& node, const Parameter& parameter) const {
+    const std::string ref = node.attribute("ref").value();
+    for (const pugi::xml_node& child : node.children()) {
+      if (child.type() == pugi::node_element || !is_blank(child.value())) fail(child, tag(node.name()) + " has both a ref and content, expected one of them");
+    }
+    const auto found = named_.find(ref);
+    if (found == named_.end()) {
+      std::vector<std::string_view> names;
+      for (const auto& [name, unused] : named_) names.push_back(name);
+      fail(node, "nothing was named " + in_quotes(ref) + " before this line, expected the name of an earlier element" + did_you_mean(ref, names));
+    }
+    const Named& target = found->second;
+    if (target.type != parameter.type || (target.type == ValueType::object && target.role != parameter.role)) {
+      fail(node, in_quotes(ref) + " names " + described(target) + ", expected " +
+                     (parameter.type == ValueType::object ? "a " + std::string(to_string(parameter.role)) : std::string(to_string(parameter.type))));
+    }
+    return target.value;
+  }
+
+  static std::string described(const Named& target) {
+    return target.type == ValueType::object ? "a " + std::string(to_string(target.role)) : std::string(to_string(target.type));
+  }
+
+  void check_image_size(const ObjectDescription& scene) const {
+    const Size2 size = scene.size("image");
+    if (size.width > kLargestImageSide || size.height > kLargestImageSide || static_cast<long>(size.width) * size.height > kMostImagePixels) {
+      throw InputError(scene.where("image"), "a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                                 " is too large, expected at most " + std::to_string(kLargestImageSide) +
+                                                 " a side and " + std::to_string(kMostImagePixels) + " pixels");
+    }
+  }
+
+  const XmlSource& source_;
+  KindTable kinds_;
+  SceneDescription description_;
+  std::map<std::string, Named, std::less<>> named_;
+};
+
+}  // namespace
+
+SceneDescription read_scene(const std::filesystem::path& file, const KindTable& kinds) {
+  const XmlSource source(file);
+  SceneDescription description = SceneReader(source, kinds).read();
+  description.file = file;
+  return description;
+}
+
+}  // namespace plumb

@@ -1,0 +1,17 @@
+#include "renderer/accel/accelerator.h"
+
+#include <array>
+
+namespace plumb {
+
+std::span<const std::string_view> accel_names() {
+  static constexpr std::array<std::string_view, 2> kNames{"linear", "bvh2"};
+  return kNames;
+}
+
+Accelerator::Accelerator(Accel accel, std::span<const Bounds3> bounds)
+    : accel_(accel),
+      count_(static_cast<std::uint32_t>(bounds.size())),
+      hierarchy_(accel == Accel::bvh2 ? bounds : std::span<const Bounds3>{}) {}
+
+}  // namespace plumb

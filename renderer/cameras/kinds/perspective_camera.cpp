@@ -1,0 +1,65 @@
+#include <array>
+
+#include "renderer/cameras/camera.h"
+
+namespace plumb {
+namespace {
+
+class PerspectiveCamera : public Camera {
+ public:
+  PerspectiveCamera(const Point3& eye, const Vec3& to_center, const Vec3& right, const Vec3& up)
+      : eye_(eye), to_center_(to_center), right_(right), up_(up) {}
+
+  Ray ray(double u, double v) const override { return {eye_, normalized(to_center_ + (u - 0.5) * right_ + (v - 0.5) * up_)}; }
+
+ private:
+  Point3 eye_;
+  Vec3 to_center_;
+  Vec3 right_;
+  Vec3 up_;
+};
+
+constexpr std::array kParameters{
+    Parameter{.name = "viewPoint", .type = ValueType::point, .meaning = "the eye, the centre of projection", .presence = Presence::defaulted, .default_text = "0 0 0"},
+    Parameter{.name = "viewDir", .type = ValueType::vector, .meaning = "towards the centre of the view window; of any length", .presence = Presence::defaulted, .default_text = "0 0 -1"},
+    Parameter{.name = "viewUp", .type = ValueType::vector, .meaning = "what is up in the picture", .presence = Presence::defaulted, .default_text = "0 1 0"},
+    Parameter{.name = "projNormal", .type = ValueType::vector, .meaning = "normal of the projection plane, of any length and either sign; without one the plane is perpendicular to viewDir", .presence = Presence::optional},
+    Parameter{.name = "projDistance", .type = ValueType::number, .meaning = "from the eye to the centre of the view window", .presence = Presence::defaulted, .default_text = "1", .range = Range::positive},
+    Parameter{.name = "viewWidth", .type = ValueType::number, .meaning = "width of the view window", .presence = Presence::defaulted, .default_text = "1", .range = Range::positive},
+    Parameter{.name = "viewHeight", .type = ValueType::number, .meaning = "height of the view window", .presence = Presence::defaulted, .default_text = "1", .range = Range::positive},
+};
+
+Vec3 direction(const ObjectDescription& object, std::string_view parameter) {
+  const Vec3 v = object.vector(parameter);
+  if (!is_finite(normalized(v))) {
+    throw InputError(object.where(parameter), "<" + std::string(parameter) + "> has no direction, expected a vector that is not zero and of ordinary length");
+  }
+  return v;
+}
+
+std::unique_ptr<Camera> make(const ObjectDescription& object) {
+  const Vec3 view = normalized(direction(object, "viewDir"));
+  const Vec3 up = direction(object, "viewUp");
+  const std::string_view plane_given_by = object.has("projNormal") ? "projNormal" : "viewDir";
+  const Vec3 normal = direction(object, plane_given_by);
+  const double facing = dot(normal, view);
+  if (facing == 0) {
+    throw InputError(object.where("projNormal"), "<projNormal> is perpendicular to viewDir, so the view window is seen edge-on; expected another direction");
+  }
+  // The plane's normal is turned to point against the view.
+  const Vec3 w = normalized(facing > 0 ? -normal : normal);
+  const Vec3 across = cross(up, w);
+  if (!(dot(across, across) > 0)) {
+    throw InputError(object.where("viewUp"), "<viewUp> is parallel to " + std::string(plane_given_by) + ", so nothing is up in the picture; expected another direction");
+  }
+  const Vec3 u = normalized(across);
+  const Vec3 v = cross(w, u);
+  return std::make_unique<PerspectiveCamera>(object.point("viewPoint"), object.number("projDistance") * view,
+                                             object.number("viewWidth") * u, object.number("viewHeight") * v);
+}
+
+}  // namespace
+
+extern const CameraKind perspective_camera_kind{{Role::camera, "Camera", "A pinhole camera, oblique where projNormal differs from viewDir. Its type need not be written.", kParameters}, make};
+
+}  // namespace plumb

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "renderer/surfaces/interval.h"
+#include "renderer/surfaces/surface.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Where x^2 + y^2 <= slope^2 (z - tip)^2 and |z - center| <= half. With the tip inside the slab both nappes
+/// show, and the solid is not convex: a line has up to four crossings.
+class Cone : public Surface {
+ public:
+  Cone(const Point3& center, double tip_z, double radius, double height)
+      : center_(center), tip_z_(tip_z), slope_(radius / std::fabs(center.z - tip_z)), half_(height / 2) {}
+
+  std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters&) const override {
+    const std::optional<Interval> slab = inside_slab(ray, center_.z, half_);
+    if (!slab) return std::nullopt;
+    const Intervals side = inside_side(ray);
+    Intervals inside;
+    for (int i = 0; i < side.count; ++i) {
+      if (const auto part = intersection(side.items[static_cast<std::size_t>(i)], *slab)) {
+        inside.items[static_cast<std::size_t>(inside.count++)] = *part;
+      }
+    }
+    const std::optional<Crossing> crossing = first_crossing(inside, ray);
+    if (!crossing) return std::nullopt;
+    return SurfaceHit{.t = crossing->t, .part = crossing->part};
+  }
+
+  /// Half the gradient of the side's equation. At the tip it vanishes, and the axis stands in.
+  Normal3 normal(const Ray& ray, const SurfaceHit& hit) const override {
+    if (hit.part == kBottom) return {0, 0, -1};
+    if (hit.part == kTop) return {0, 0, 1};
+    const Point3 p = ray.at(hit.t);
+    const Normal3 out{p.x - center_.x, p.y - center_.y, -slope_ * slope_ * (p.z - tip_z_)};
+    return out == Normal3{} ? Normal3{0, 0, 1} : out;
+  }
+
+  Bounds3 bounds() const override { return world_bounds(Transform()); }
+
+  /// The hull of a cone, single or double, is that of its two end discs.
+  Bounds3 world_bounds(const Transform& world_from_object) const override {
+    Bounds3 box;
+    for (const double z : {center_.z - half_, center_.z + half_}) {
+      const double radius = slope_ * std::fabs(z - tip_z_);
+      box.extend(bounds_around(world_from_object(Point3{center_.x, center_.y, z}),
+                               disc_extent(world_from_object.matrix(), radius)));
+    }
+    return box;
+  }
+
+ private:
+  /// The intervals of a t^2 + 2 b t + c <= 0. Between the roots if a > 0, outside of them if a < 0.
+  Intervals inside_side(const Ray& ray) const {
+    const Vec3 f{ray.origin.x - center_.x, ray.origin.y - center_.y, slope_ * (ray.origin.z - tip_z_)};
+    const Vec3 d{ray.direction.x, ray.direction.y, slope_ * ray.direction.z};
+    const double a = d.x * d.x + d.y * d.y - d.z * d.z;
+    const double b = f.x * d.x + f.y * d.y - f.z * d.z;
+    const double c = f.x * f.x + f.y * f.y - f.z * f.z;
+    if (a == 0) return inside_linear(b, c);
+    // b^2 - a c, as products of 2x2 minors, so that the squares of far origins do not cancel.
+    const double xz = f.x * d.z - f.z * d.x;
+    const double yz = f.y * d.z - f.z * d.y;
+    const double xy = f.x * d.y - f.y * d.x;
+    const double discriminant = xz * xz + yz * yz - xy * xy;
+    if (a > 0) {
+      if (!(discriminant >= 0)) return {};
+      const Roots roots = quadratic_roots(a, -b, c, discriminant);
+      return {{Interval{{roots.first, kSide}, {roots.second, kSide}}}, 1};
+    }
+    // A line steeper than the side always meets it; a negative discriminant is rounding at the tip.
+    const Roots roots = quadratic_roots(a, -b, c, std::max(discriminant, 0.0));
+    return {{Interval{{-kInfinity, kSide}, {roots.first, kSide}}, Interval{{roots.second, kSide}, {kInfinity, kSide}}}, 2};
+  }
+
+  /// 2 b t + c <= 0, for a line parallel to the side.
+  static Intervals inside_linear(double b, double c) {
+    if (b == 0) {
+      if (!(c <= 0)) return {};
+      return {{Interval{{-kInfinity, kSide}, {kInfinity, kSide}}}, 1};
+    }
+    const Crossing at{-c / (2 * b), kSide};
+    return {{b > 0 ? Interval{{-kInfinity, kSide}, at} : Interval{at, {kInfinity, kSide}}}, 1};
+  }
+
+  Point3 center_;
+  double tip_z_;
+  double slope_;
+  double half_;
+};
+
+constexpr std::array kParameters{
+    surface_shader_parameter,
+    Parameter{.name = "center", .type = ValueType::point, .meaning = "the middle of the part that is kept", .presence = Presence::defaulted, .default_text = "0 0 0"},
+    Parameter{.name = "tipz", .type = ValueType::number, .meaning = "z of the tip; within the kept part it makes a double cone", .presence = Presence::defaulted, .default_text = "0"},
+    Parameter{.name = "radius", .type = ValueType::number, .meaning = "radius at the height of the centre", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
+    Parameter{.name = "height", .type = ValueType::number, .meaning = "height of the kept part along z", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
+};
+
+std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext&) {
+  const Point3 center = object.point("center");
+  const double tip_z = object.number("tipz");
+  if (center.z == tip_z) {
+    throw InputError(object.where("tipz"), "the cone's tip lies at the height of its centre, where its radius is measured; expected another tipz");
+  }
+  return std::make_unique<Cone>(center, tip_z, object.number("radius"), object.number("height"));
+}
+
+}  // namespace
+
+extern const SurfaceKind cone_kind{{Role::surface, "Cone", "A truncated cone around an axis along z, closed at both ends.", kParameters}, make};
+
+}  // namespace plumb

@@ -1,0 +1,81 @@
+#include <array>
+
+#include "meshes/triangle_mesh.h"
+#include "renderer/surfaces/surface.h"
+#include "renderer/surfaces/triangle.h"
+
+namespace plumb {
+namespace {
+
+std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {
+  std::vector<Bounds3> bounds(mesh.triangles.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    for (const std::uint32_t vertex : mesh.triangles[i]) bounds[i].extend(mesh.positions[vertex]);
+  return bounds;
+}
+
+class Mesh : public Surface {
+ public:
+  Mesh(std::shared_ptr<const TriangleMesh> mesh, Accel accel) : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)) {}
+
+  std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters& counters) const override {
+    std::optional<SurfaceHit> closest;
+    Ray rest = ray;
+    accelerator_.walk(rest, counters, [&](std::uint32_t triangle) {
+      const std::optional<TriangleHit> hit = test(rest, triangle, counters);
+      if (hit && (!closest || hit->t < closest->t || triangle < closest->part)) {
+        closest = SurfaceHit{hit->t, hit->u, hit->v, triangle};
+        rest.t_max = hit->t;
+      }
+      return false;
+    });
+    return closest;
+  }
+
+  bool blocks(const Ray& ray, TraceCounters& counters) const override {
+    return accelerator_.walk(ray, counters, [&](std::uint32_t triangle) { return test(ray, triangle, counters).has_value(); });
+  }
+
+  /// Interpolated where the file gives normals, else the triangle's own.
+  Normal3 normal(const Ray&, const SurfaceHit& hit) const override {
+    const auto [a, b, c] = mesh_->triangles[hit.part];
+    if (!mesh_->normals.empty()) {
+      const auto& n = mesh_->normals;
+      return (1 - hit.u - hit.v) * n[a] + hit.u * n[b] + hit.v * n[c];
+    }
+    const auto& p = mesh_->positions;
+    return as_normal(cross(p[b] - p[a], p[c] - p[a]));
+  }
+
+  Bounds3 bounds() const override {
+    Bounds3 box;
+    for (const auto& triangle : mesh_->triangles)
+      for (const std::uint32_t vertex : triangle) box.extend(mesh_->positions[vertex]);
+    return box;
+  }
+
+ private:
+  std::optional<TriangleHit> test(const Ray& ray, std::uint32_t triangle, TraceCounters& counters) const {
+    ++counters.primitive_tests;
+    const auto [a, b, c] = mesh_->triangles[triangle];
+    return intersect_triangle(ray, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);
+  }
+
+  std::shared_ptr<const TriangleMesh> mesh_;
+  Accelerator accelerator_;
+};
+
+constexpr std::array kParameters{
+    surface_shader_parameter,
+    Parameter{.name = "data", .type = ValueType::file, .meaning = "a mesh file: .msh, .obj, .ply, .off or .stl, relative to the scene's folder"},
+};
+
+std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext& context) {
+  return std::make_unique<Mesh>(context.meshes.at(object.file_name("data")), context.accel);
+}
+
+}  // namespace
+
+extern const SurfaceKind mesh_kind{{Role::surface, "Mesh", "A triangle mesh from a file of its own, shaded with its normals if it has them.", kParameters}, make};
+
+}  // namespace plumb

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/accel/accelerator.h"
+#include "renderer/integrator/trace_counters.h"
+#include "renderer/math/bounds3.h"
+#include "renderer/math/ray.h"
+#include "renderer/math/transform.h"
+#include "scenes/load_meshes.h"
+#include "scenes/object_description.h"
+
+namespace plumb {
+
+/// Where a ray meets a surface: enough to find the normal later, so that only the closest hit pays for it.
+struct SurfaceHit {
+  double t = 0;
+  /// Barycentric weights of the second and third vertex; 0 for other surfaces.
+  double u = 0, v = 0;
+  /// The triangle of a mesh, the face or side of a solid.
+  std::uint32_t part = 0;
+};
+
+/// A shape in its own frame (object space). Const and safe to use from any number of threads.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+
+  /// The smallest hit with t in the ray's closed range; of equal ones that of the lowest part. The ray's
+  /// direction has any length but zero. A ray with NaN hits nothing.
+  virtual std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters& counters) const = 0;
+
+  /// Whether anything of the surface lies in the ray's range.
+  virtual bool blocks(const Ray& ray, TraceCounters& counters) const { return intersect(ray, counters).has_value(); }
+
+  /// The outward normal at a hit of this ray on this surface; of any length.
+  virtual Normal3 normal(const Ray& ray, const SurfaceHit& hit) const = 0;
+
+  /// A box in object space that holds the surface.
+  virtual Bounds3 bounds() const = 0;
+
+  /// A box in world space that holds the transformed surface. By default the box of the box's corners.
+  virtual Bounds3 world_bounds(const Transform& world_from_object) const { return world_from_object(bounds()); }
+};
+
+/// What the making of a surface needs beside its own description.
+struct SurfaceContext {
+  const MeshTable& meshes;
+  Accel accel;
+  std::vector<std::string>& warnings;
+};
+
+/// A kind of surface: its parameter table and how one is made. Making throws InputError at the parameter at fault.
+struct SurfaceKind {
+  Kind kind;
+  std::unique_ptr<Surface> (*make)(const ObjectDescription&, SurfaceContext&);
+};
+
+/// Every kind, sorted by file name.
+std::span<const SurfaceKind* const> surface_kinds();
+
+/// The row of the parameter tables that every surface has.
+inline constexpr Parameter surface_shader_parameter{
+    .name = "shader",
+    .type = ValueType::object,
+    .meaning = "how it is shaded; without one that of the group around it, else white Lambertian",
+    .presence = Presence::optional,
+    .role = Role::shader};
+
+/// The largest distances from the centre, by world axis, of a transformed disc of this radius about the z axis.
+Vec3 disc_extent(const AffineMatrix& m, double radius);
+/// The box around `center` +- `extent`, widened by 8 u (|center| + extent), which covers their roundings.
+Bounds3 bounds_around(const Point3& center, const Vec3& extent);
+
+}  // namespace plumb

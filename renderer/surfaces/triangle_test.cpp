@@ -1,0 +1,133 @@
+#include "renderer/surfaces/triangle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "meshes/generators/icosphere.h"
+
+namespace plumb {
+namespace {
+
+constexpr Point3 kA{0, 0, 0}, kB{1, 0, 0}, kC{0, 1, 0};
+
+TEST(Triangle, IsHitFromBothSidesInEitherOrientation) {
+  for (const double side : {-1.0, 1.0}) {
+    const Ray ray{{0.25, 0.5, 4 * side}, {0, 0, -2 * side}};
+    const auto hit = intersect_triangle(ray, kA, kB, kC);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->t, 2);  // 4 / 2
+    EXPECT_EQ(hit->u, 0.25);
+    EXPECT_EQ(hit->v, 0.5);
+    const auto turned = intersect_triangle(ray, kA, kC, kB);
+    ASSERT_TRUE(turned);
+    EXPECT_EQ(turned->t, 2);
+    EXPECT_EQ(turned->u, 0.5);
+    EXPECT_EQ(turned->v, 0.25);
+  }
+}
+
+TEST(Triangle, EdgesAndVerticesBelongToIt) {
+  int hits = 0;
+  for (const Point3& target : {kA, kB, kC, Point3{0.5, 0, 0}, Point3{0, 0.5, 0}, Point3{0.5, 0.5, 0}}) {
+    const auto hit = intersect_triangle({{target.x, target.y, 1}, {0, 0, -1}}, kA, kB, kC);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->u, target.x);
+    EXPECT_EQ(hit->v, target.y);
+    ++hits;
+  }
+  EXPECT_EQ(hits, 6);
+}
+
+TEST(Triangle, JustBesideAnEdgeIsAMiss) {
+  EXPECT_FALSE(intersect_triangle({{-0x1p-30, 0.5, 1}, {0, 0, -1}}, kA, kB, kC));
+  EXPECT_FALSE(intersect_triangle({{0.5, -0x1p-30, 1}, {0, 0, -1}}, kA, kB, kC));
+  EXPECT_FALSE(intersect_triangle({{0.5, 0.5 + 0x1p-30, 1}, {0, 0, -1}}, kA, kB, kC));
+}
+
+TEST(Triangle, RangeIsClosedAtBothEnds) {
+  const auto hit = [](double from, double to) { return intersect_triangle({{0.25, 0.25, 4}, {0, 0, -1}, from, to}, kA, kB, kC).has_value(); };
+  EXPECT_TRUE(hit(4, 4));
+  EXPECT_FALSE(hit(std::nextafter(4, 5), 10));
+  EXPECT_FALSE(hit(0, std::nextafter(4, 3)));
+  EXPECT_FALSE(intersect_triangle({{0.25, 0.25, 4}, {0, 0, 1}}, kA, kB, kC)) << "behind";
+  EXPECT_EQ(intersect_triangle({{0.25, 0.25, 0}, {0, 0, 1}}, kA, kB, kC)->t, 0) << "origin on it";
+}
+
+TEST(Triangle, RaysInItsPlaneMiss) {
+  EXPECT_FALSE(intersect_triangle({{-1, 0.25, 0}, {1, 0, 0}}, kA, kB, kC));
+  EXPECT_FALSE(intersect_triangle({{-1, 0, 0}, {1, 0, 0}}, kA, kB, kC)) << "along an edge";
+  EXPECT_FALSE(intersect_triangle({{-1, 0.25, 1}, {1, 0, 0}}, kA, kB, kC)) << "parallel to it";
+}
+
+TEST(Triangle, WithoutAreaIsMissed) {
+  EXPECT_FALSE(intersect_triangle({{0.5, 0, 1}, {0, 0, -1}}, kA, kB, kB));
+  EXPECT_FALSE(intersect_triangle({{0.5, 0, 1}, {0, 0, -1}}, kA, kB, {2, 0, 0}));
+  EXPECT_FALSE(intersect_triangle({{0, 0, 1}, {0, 0, -1}}, kA, kA, kA));
+}
+
+TEST(Triangle, RayWithNanHitsNothing) {
+  const double nan = std::nan("");
+  const Point3 o{0.25, 0.25, 1};
+  const Vec3 d{0, 0, -1};
+  EXPECT_TRUE(intersect_triangle({o, d}, kA, kB, kC));
+  for (int axis = 0; axis < 3; ++axis) {
+    Ray ray{o, d};
+    ray.origin[axis] = nan;
+    EXPECT_FALSE(intersect_triangle(ray, kA, kB, kC));
+    ray = {o, d};
+    ray.direction[axis] = nan;
+    EXPECT_FALSE(intersect_triangle(ray, kA, kB, kC));
+  }
+  EXPECT_FALSE(intersect_triangle({o, d, nan, 10}, kA, kB, kC));
+  EXPECT_FALSE(intersect_triangle({o, d, 0, nan}, kA, kB, kC));
+}
+
+TEST(Triangle, TinyAndHugeOnesAreHit) {
+  for (const double scale : {1e-30, 1e-8, 1e8, 1e30}) {
+    const Ray ray{{0.25 * scale, 0.25 * scale, scale}, {0, 0, -1}};
+    const auto hit = intersect_triangle(ray, kA, {scale, 0, 0}, {0, scale, 0});
+    ASSERT_TRUE(hit) << scale;
+    EXPECT_DOUBLE_EQ(hit->t, scale);
+  }
+}
+
+/// The number of triangles of the mesh that the ray meets.
+int hits_of(const TriangleMesh& mesh, const Ray& ray) {
+  int hits = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    hits += intersect_triangle(ray, mesh.positions[a], mesh.positions[b], mesh.positions[c]).has_value();
+  return hits;
+}
+
+TEST(Triangle, NothingLeaksThroughTheEdgesAndVerticesOfAClosedMesh) {
+  // T1 and T2 of the catalogue, on doubles that use all of their 53 bits.
+  const TriangleMesh mesh = icosphere(2);
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::uniform_int_distribution<std::size_t> any_triangle(0, mesh.triangles.size() - 1);
+  int from_inside = 0, from_outside = 0, several = 0;
+  for (int i = 0; from_inside < 50000 || from_outside < 50000; ++i) {
+    const auto& triangle = mesh.triangles[any_triangle(random)];
+    const Point3 a = mesh.positions[triangle[0]];
+    const Point3 b = mesh.positions[triangle[1]];
+    const Point3 target = i % 2 ? a : a + 0.5 * (1 + u(random)) * (b - a);
+    const Point3 inside{0.4 * u(random), 0.4 * u(random), 0.4 * u(random)};
+    const int out = hits_of(mesh, {inside, target - inside});
+    ASSERT_GE(out, 1) << "leak from inside, case " << i;
+    several += out > 1;
+    ++from_inside;
+    // From outside, where the target looks at the origin by far: the sphere's horizon from 3 away is at cosine 1/3.
+    const Vec3 where = normalized(Vec3{u(random), u(random), u(random)});
+    if (!(dot(where, target - Point3{}) > 0.5)) continue;
+    ASSERT_GE(hits_of(mesh, {Point3{} + 3 * where, target - (Point3{} + 3 * where)}), 1) << "leak from outside, case " << i;
+    ++from_outside;
+  }
+  EXPECT_GE(from_inside, 50000);
+  EXPECT_GE(from_outside, 50000);
+  EXPECT_GT(several, 1000) << "the rays really met edges";
+}
+
+}  // namespace
+}  // namespace plumb

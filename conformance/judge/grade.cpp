@@ -1,0 +1,223 @@
+#include "conformance/judge/grade.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <set>
+
+#include "conformance/compare/judge_picture.h"
+#include "conformance/judge/build_submission.h"
+#include "conformance/judge/run_case.h"
+#include "conformance/judge/workspace.h"
+#include "conformance/results/write_results.h"
+#include "conformance/sandbox/run_process.h"
+#include "renderer/math/input_error.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Whether `inner` is `outer` or lies in it, links followed.
+bool lies_in(const fs::path& inner, const fs::path& outer) {
+  const fs::path a = fs::weakly_canonical(inner);
+  const fs::path b = fs::weakly_canonical(outer);
+  return std::mismatch(b.begin(), b.end(), a.begin(), a.end()).first == b.end();
+}
+
+void check_request(const GradeRequest& request) {
+  if (!fs::is_directory(request.submission)) throw InputError({request.submission.string()}, "the submission is no folder");
+  if (lies_in(request.out, request.submission)) throw InputError({request.out.string()}, "the results would lie inside the submission, expected --out elsewhere");
+  if (lies_in(request.submission, request.out)) throw InputError({request.out.string()}, "the submission lies inside the folder for the results, expected --out elsewhere");
+  for (const SuiteCase& c : request.suite.cases) {
+    if (lies_in(c.reference, request.submission)) throw InputError({c.reference.string()}, "this reference lies inside the submission, which would see it");
+    read_reference(c.reference);  // a broken one is found now, not in the middle of a class
+  }
+  require_programs(request.suite);
+}
+
+class Grader {
+ public:
+  explicit Grader(const GradeRequest& request) : request_(request), suite_(request.suite), results_(request.out), selected_(selected_cases()) {}
+
+  ResultSet run() {
+    set_.suite_id = suite_.id;
+    set_.suite_hash = suite_.hash;
+    set_.dialect = suite_.dialect;
+    set_.variants = suite_.variants;
+    set_.submission_id = fs::weakly_canonical(request_.submission).filename().string();
+    set_.plumb_version = request_.plumb_version;
+    for (const SuiteCase& c : suite_.cases) set_.cases.push_back(blank_result(c));
+
+    const std::optional<CheckResult> fault = prepare();
+    for (const std::size_t i : run_order(suite_)) {
+      if (!selected_.contains(i)) continue;
+      CaseResult& result = set_.cases[i];
+      if (fault) result.check = *fault;
+      else judge(suite_.cases[i], result);
+      settle_points(suite_.cases[i], result);
+      results_.write_case(result);
+    }
+    keep_selected();
+    results_.finish(set_);
+    return std::move(set_);
+  }
+
+ private:
+  /// Copy, choice of the runner and build. Returns what went wrong for all cases.
+  std::optional<CheckResult> prepare() {
+    try {
+      workspace_.copy_submission(request_.submission, suite_);
+      choose_runner();
+    } catch (const InputError& error) {
+      return all_fail(error.what(), "check what was handed in against the assignment's list of files");
+    }
+    for (const std::string& name : workspace_.left_out()) set_.notes.push_back("left out, as it is no ordinary file: " + name);
+    if (!runner_.build.empty()) request_.progress("building");
+    std::optional<CheckResult> fault = build_submission(suite_, runner_, workspace_, results_);
+    if (fault && fault->cause == "interrupted") fault->verdict = Verdict::skipped;
+    if (!fault) workspace_.seal_build();
+    return fault;
+  }
+
+  void choose_runner() {
+    const fs::path own = workspace_.build() / "submission.toml";
+    if (!suite_.own_runner) {
+      if (fs::exists(own)) set_.notes.push_back("submission.toml was not read: the suite holds the commands");
+      runner_ = suite_.runner;
+    } else if (fs::exists(own)) {
+      runner_ = own_runner(own);
+    } else if (suite_.has_runner) {
+      runner_ = suite_.runner;
+    } else {
+      throw InputError({}, "there is no submission.toml, which says how to build and run this submission");
+    }
+  }
+
+  /// The message names the file as the student knows it, not the copy.
+  static Runner own_runner(const fs::path& file) {
+    try {
+      return read_submission_runner(file);
+    } catch (const InputError& error) {
+      std::string text = error.what();
+      if (text.starts_with(file.string())) text = "submission.toml" + text.substr(file.string().size());
+      throw InputError({}, text);
+    }
+  }
+
+  static CheckResult all_fail(const std::string& summary, const std::string& advice) {
+    CheckResult result;
+    result.verdict = Verdict::fail;
+    result.cause = "build";
+    result.summary = summary;
+    result.advice = advice;
+    return result;
+  }
+
+  CaseResult blank_result(const SuiteCase& c) const {
+    CaseResult result;
+    result.id = c.id;
+    result.kind = c.kind;
+    result.requirement = c.requirement;
+    result.visibility = c.visibility;
+    result.max_points = c.points;
+    result.repeat = fmt::format("plumb grade {} --suite {} --filter {}", fs::weakly_canonical(request_.submission).filename().string(), suite_.file.filename().string(), c.id);
+    return result;
+  }
+
+  void judge(const SuiteCase& c, CaseResult& result) {
+    for (const std::size_t p : c.prerequisites) {
+      const CaseResult& prerequisite = set_.cases[p];
+      if (is_right(prerequisite.check.verdict)) continue;
+      result.check = stop(Verdict::skipped, "prerequisite", "not judged: '" + prerequisite.id + "' comes first", "fix '" + prerequisite.id + "' first");
+      result.pending = prerequisite.pending;
+      return;
+    }
+    const double seconds_left = suite_.total_seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (interrupt_flag()) {
+      result.check = stop(Verdict::skipped, "interrupted", "grading was interrupted", "grade again");
+    } else if (seconds_left <= 0) {
+      result.check = stop(Verdict::timeout, "budget_spent", "the time for all cases together was spent", "make the slow cases faster");
+    } else {
+      request_.progress(c.id);
+      try {
+        run_case(c, runner_, workspace_, seconds_left, results_, result);
+      } catch (const std::exception& error) {  // our fault: it goes to a person, and the other cases go on
+        result.check = stop(Verdict::internal_error, "internal", error.what(), "a person has to look at this case; it costs no points");
+      }
+    }
+  }
+
+  static CheckResult stop(Verdict verdict, const std::string& cause, const std::string& summary, const std::string& advice) {
+    CheckResult result = all_fail(summary, advice);
+    result.verdict = verdict;
+    result.cause = cause;
+    return result;
+  }
+
+  void settle_points(const SuiteCase& c, CaseResult& result) const {
+    const bool skipped = result.check.verdict == Verdict::skipped;
+    if (result.check.verdict == Verdict::internal_error || result.check.cause == "interrupted") result.pending = true;
+    if (skipped && suite_.skipped == SkippedPolicy::manual) result.pending = true;
+    if (skipped && suite_.skipped == SkippedPolicy::excluded && !result.pending) result.excluded = true;
+    result.points = is_right(result.check.verdict) ? c.points : 0;
+  }
+
+  /// The cases that match the filter, and what they require.
+  std::set<std::size_t> selected_cases() const {
+    std::set<std::size_t> selected;
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < suite_.cases.size(); ++i)
+      if (request_.filter.empty() || ::fnmatch(request_.filter.c_str(), suite_.cases[i].id.c_str(), 0) == 0) open.push_back(i);
+    if (open.empty()) throw InputError({}, "--filter: no case of the suite matches '" + request_.filter + "'");
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      if (selected.insert(i).second) open.insert(open.end(), suite_.cases[i].prerequisites.begin(), suite_.cases[i].prerequisites.end());
+    }
+    return selected;
+  }
+
+  void keep_selected() {
+    std::vector<CaseResult> kept;
+    for (const std::size_t i : selected_) kept.push_back(std::move(set_.cases[i]));
+    set_.cases = std::move(kept);
+  }
+
+  const GradeRequest& request_;
+  const Suite& suite_;
+  Clock::time_point begin_ = Clock::now();
+  ResultFolder results_;
+  std::set<std::size_t> selected_;
+  Workspace workspace_;
+  Runner runner_;
+  ResultSet set_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> run_order(const Suite& suite) {
+  std::vector<std::size_t> by_cost(suite.cases.size());
+  std::iota(by_cost.begin(), by_cost.end(), std::size_t{0});
+  std::ranges::stable_sort(by_cost, {}, [&](std::size_t i) { return suite.cases[i].cpu_seconds; });
+  std::vector<std::size_t> order;
+  std::set<std::size_t> placed;
+  const auto place = [&](const auto& self, std::size_t i) -> void {
+    if (!placed.insert(i).second) return;
+    for (const std::size_t p : suite.cases[i].prerequisites) self(self, p);
+    order.push_back(i);
+  };
+  for (const std::size_t i : by_cost) place(place, i);
+  return order;
+}
+
+ResultSet grade(const GradeRequest& request) {
+  check_request(request);
+  return Grader(request).run();
+}
+
+}  // namespace plumb

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "conformance/judge/runner_rules.h"
+#include "conformance/judge/suite.h"
+#include "conformance/judge/suite_hash.h"
+#include "conformance/judge/toml_fields.h"
+#include "renderer/math/nearest_name.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> kSkippedNames{"zero", "excluded", "manual"};
+constexpr std::array<std::string_view, 4> kVisibilities{"visible", "hidden", "after_due_date", "after_published"};
+constexpr std::array<std::string_view, 1> kKinds{"image"};
+
+/// Ids name folders of the results, so they are plain file names.
+bool is_plain_name(std::string_view name) {
+  return !name.empty() && name.size() <= 100 && name.front() != '.' && name.front() != '-' && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
+  });
+}
+
+std::string plain_name(TomlFields& fields, std::string_view key) {
+  const std::string name = fields.text(key);
+  if (!is_plain_name(name)) fields.fail(key, "is '" + name + "', expected a name of letters, digits, '-', '_' and '.', not beginning with '.' or '-'");
+  return name;
+}
+
+std::string one_of(TomlFields& fields, std::string_view key, std::string_view otherwise, std::span<const std::string_view> names) {
+  const std::string value = fields.text(key, otherwise);
+  if (std::ranges::find(names, value) == names.end()) {
+    std::string expected;
+    for (const std::string_view name : names) expected += (expected.empty() ? "" : ", ") + std::string(name);
+    fields.fail(key, "is '" + value + "', expected " + expected + did_you_mean(value, names));
+  }
+  return value;
+}
+
+class SuiteReader {
+ public:
+  explicit SuiteReader(const fs::path& file) : table_(read_toml(file)), folder_(fs::absolute(file).parent_path()) { suite_.file = file; }
+
+  Suite read() {
+    TomlFields top(table_, suite_.file, "the suite");
+    read_suite_table(table_of(top, "suite"));
+    if (top.has("runner")) read_runner_table(table_of(top, "runner"));
+    if (!suite_.has_runner && !suite_.own_runner) top.fail("runner", "is missing, expected a table with 'render', or own_runner = true in [suite]");
+    read_cases(top);
+    check_top_level_keys();
+    suite_.hash = suite_hash(suite_);
+    return std::move(suite_);
+  }
+
+ private:
+  const toml::table& table_of(TomlFields& top, std::string_view key) const {
+    const toml::table* table = table_.get_as<toml::table>(key);
+    if (!table) top.fail(key, "is missing, expected a table [" + std::string(key) + "]");
+    return *table;
+  }
+
+  void read_suite_table(const toml::table& table) {
+    TomlFields fields(table, suite_.file, "[suite]");
+    suite_.id = plain_name(fields, "id");
+    if (fields.integer("schema", 0, 0) != 1) fields.fail("schema", "must be 1, the version of this format");
+    suite_.dialect = fields.text("dialect", "");
+    suite_.variants = fields.texts("variants");
+    suite_.total_seconds = fields.number("total_seconds", suite_.total_seconds, 1);
+    suite_.own_runner = fields.flag("own_runner", false);
+    const std::string skipped = one_of(fields, "skipped", "zero", kSkippedNames);
+    suite_.skipped = static_cast<SkippedPolicy>(std::ranges::find(kSkippedNames, skipped) - kSkippedNames.begin());
+    fields.finish();
+  }
+
+  void read_runner_table(const toml::table& table) {
+    TomlFields fields(table, suite_.file, "[runner]");
+    // A suite whose submissions bring their own commands may still say where their root is and how long a build may take.
+    suite_.has_runner = fields.has("render") || !suite_.own_runner;
+    if (suite_.has_runner) suite_.runner = read_runner_fields(fields);
+    suite_.root_marker = fields.text("root_marker", "");
+    if (!suite_.root_marker.empty()) require_inner_path(fields, "root_marker", suite_.root_marker);
+    suite_.build_seconds = fields.number("build_seconds", suite_.build_seconds, 1);
+    if (fields.has("overlay")) {
+      suite_.overlay = folder_ / fields.text("overlay");
+      if (!fs::is_directory(suite_.overlay)) fields.fail("overlay", "names a folder that does not exist: '" + suite_.overlay.string() + "'");
+    }
+    fields.finish();
+  }
+
+  void read_cases(TomlFields& top) {
+    const toml::array* cases = table_.get_as<toml::array>("case");
+    if (!cases || cases->empty()) top.fail("case", "is missing, expected at least one [[case]]");
+    std::vector<std::vector<std::string>> requires_ids;
+    for (const toml::node& node : *cases) {
+      if (!node.is_table()) throw InputError(location(suite_.file, node), "expected a table [[case]]");
+      requires_ids.push_back(read_case(*node.as_table()));
+    }
+    std::vector<std::string_view> ids;
+    for (const SuiteCase& c : suite_.cases) ids.push_back(c.id);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      for (const std::string& id : requires_ids[i]) {
+        const auto found = std::ranges::find(ids, id);
+        const SourceLocation where = location(suite_.file, *cases->get(i));
+        if (found == ids.end()) throw InputError(where, "case '" + suite_.cases[i].id + "' requires '" + id + "', which is no case of this suite" + did_you_mean(id, ids));
+        suite_.cases[i].prerequisites.push_back(static_cast<std::size_t>(found - ids.begin()));
+      }
+    }
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (reaches(i, i)) throw InputError(location(suite_.file, *cases->get(i)), "case '" + suite_.cases[i].id + "' requires itself, directly or through others");
+    }
+  }
+
+  /// Whether the prerequisites of `from`, followed on, come to `to`.
+  bool reaches(std::size_t from, std::size_t to) const {
+    std::set<std::size_t> seen;
+    std::vector<std::size_t> open = suite_.cases[from].prerequisites;
+    while (!open.empty()) {
+      const std::size_t next = open.back();
+      open.pop_back();
+      if (next == to) return true;
+      if (seen.insert(next).second) open.insert(open.end(), suite_.cases[next].prerequisites.begin(), suite_.cases[next].prerequisites.end());
+    }
+    return false;
+  }
+
+  std::vector<std::string> read_case(const toml::table& table) {
+    TomlFields fields(table, suite_.file, "[[case]]");
+    SuiteCase c;
+    c.id = plain_name(fields, "id");
+    if (std::ranges::any_of(suite_.cases, [&](const SuiteCase& other) { return other.id == c.id; })) fields.fail("id", "is '" + c.id + "', which an earlier case has");
+    c.kind = one_of(fields, "kind", "image", kKinds);
+    c.scene = existing_file(fields, "scene", fields.text("scene"));
+    c.reference = existing_file(fields, "reference", fields.text("reference"));
+    c.requirement = fields.text("requirement", "");
+    c.points = fields.number("points", c.points, 0);
+    c.tolerance = fields.number("tolerance", c.tolerance, 0);
+    c.cpu_seconds = fields.number("cpu_seconds", c.cpu_seconds, 0.01);
+    c.wall_seconds = fields.number("wall_seconds", 3 * c.cpu_seconds, 0.01);
+    c.memory_mb = fields.integer("memory_mb", c.memory_mb, 1);
+    c.output_mb = fields.integer("output_mb", c.output_mb, 1);
+    c.visibility = one_of(fields, "visibility", c.visibility, kVisibilities);
+    read_inputs(fields, c);
+    std::vector<std::string> requires_ids = fields.texts("requires");
+    fields.finish();
+    suite_.cases.push_back(std::move(c));
+    return requires_ids;
+  }
+
+  /// Inputs lie beside the scene, so two of one name would overwrite each other.
+  void read_inputs(TomlFields& fields, SuiteCase& c) const {
+    for (const std::string& input : fields.texts("inputs")) c.inputs.push_back(existing_file(fields, "inputs", input));
+    if (std::ranges::find(c.inputs, c.scene) == c.inputs.end()) c.inputs.push_back(c.scene);
+    std::set<fs::path> names;
+    for (const fs::path& input : c.inputs)
+      if (!names.insert(input.filename()).second) fields.fail("inputs", "holds two files named '" + input.filename().string() + "'");
+  }
+
+  fs::path existing_file(const TomlFields& fields, std::string_view key, const std::string& name) const {
+    fs::path file = (folder_ / name).lexically_normal();
+    if (!fs::is_regular_file(file)) fields.fail(key, "names a file that does not exist: '" + file.string() + "'");
+    return file;
+  }
+
+  void check_top_level_keys() const {
+    constexpr std::array<std::string_view, 3> kTables{"suite", "runner", "case"};
+    for (const auto& [key, node] : table_) {
+      if (std::ranges::find(kTables, key.str()) != kTables.end()) continue;
+      throw InputError(location(suite_.file, node), "unknown key '" + std::string(key.str()) + "', expected [suite], [runner] or [[case]]" + did_you_mean(key.str(), kTables));
+    }
+  }
+
+  toml::table table_;
+  fs::path folder_;
+  Suite suite_;
+};
+
+}  // namespace
+
+Suite read_suite(const fs::path& file) { return SuiteReader(file).read(); }
+
+Runner read_submission_runner(const fs::path& file) {
+  const toml::table table = read_toml(file);
+  const toml::table* runner = table.get_as<toml::table>("runner");
+  if (!runner) throw InputError({file.string()}, "[runner] is missing, expected a table with 'render'");
+  for (const auto& [key, node] : table)
+    if (key.str() != "runner") throw InputError(location(file, node), "unknown key '" + std::string(key.str()) + "', expected [runner] alone: limits and points are the suite's");
+  TomlFields fields(*runner, file, "[runner]");
+  Runner result = read_runner_fields(fields);
+  fields.finish();
+  return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,93 @@
+#include "conformance/judge/run_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "conformance/checks/image/image_check.h"
+#include "conformance/judge/build_submission.h"
+#include "conformance/judge/commands.h"
+#include "conformance/judge/suite_hash.h"
+#include "conformance/sandbox/run_process.h"
+#include "renderer/image/staged_file.h"
+
+namespace plumb {
+namespace {
+
+CheckResult stopped(Verdict verdict, const std::string& cause, const std::string& summary, const std::string& advice) {
+  CheckResult result;
+  result.verdict = verdict;
+  result.cause = cause;
+  result.summary = summary;
+  result.advice = advice;
+  return result;
+}
+
+/// The verdict of a run that did not come to its own end, or nothing.
+std::optional<CheckResult> verdict_of_stop(const SuiteCase& c, const RunOutcome& run, bool cut_by_budget) {
+  switch (run.reason) {
+    case StopReason::exited:
+    case StopReason::cannot_start: return std::nullopt;
+    case StopReason::signalled:
+      return stopped(Verdict::crash, "signal", fmt::format("the program was ended by signal {}", run.signal), "read log.txt, and run it in a debugger");
+    case StopReason::cpu_limit:
+      return stopped(Verdict::timeout, "cpu_time", fmt::format("more than {:g} s of processor time", c.cpu_seconds), "look for an endless loop, or a search that tries every surface for each ray");
+    case StopReason::wall_limit:
+      if (cut_by_budget) return stopped(Verdict::timeout, "budget_spent", "the time for all cases together was spent", "make the slow cases faster");
+      return stopped(Verdict::timeout, "wall_time", fmt::format("more than {:g} s on the clock", c.wall_seconds), "the program waits for something: input, a window, a lock");
+    case StopReason::memory_limit:
+      return stopped(Verdict::memory_limit, "memory", fmt::format("more than {} MiB of memory", c.memory_mb), "look for data that grows with every ray");
+    case StopReason::output_limit:
+      return stopped(Verdict::output_limit, "output_size", fmt::format("more than {} MiB (or 100,000 files) written", c.output_mb), "write only the picture");
+    case StopReason::process_limit:
+      return stopped(Verdict::memory_limit, "processes", "too many processes and threads", "start no more threads than there are processors");
+    case StopReason::interrupted:
+      return stopped(Verdict::skipped, "interrupted", "grading was interrupted", "grade again");
+  }
+  throw std::logic_error("unknown stop reason");
+}
+
+std::optional<double> measured_margin(const SuiteCase& c, const RunOutcome& run) {
+  switch (run.reason) {
+    case StopReason::cpu_limit: return c.cpu_seconds - run.cpu_seconds;
+    case StopReason::wall_limit: return c.wall_seconds - run.wall_seconds;
+    case StopReason::memory_limit: return static_cast<double>((c.memory_mb << 20) - run.peak_memory_bytes);
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& workspace, double seconds_left, const ResultFolder& results, CaseResult& result) {
+  const Workspace::CaseFolder folder = workspace.make_case_folder(suite_case, runner);
+  const CasePaths paths = case_paths(runner, suite_case);
+  std::filesystem::remove(folder.run / paths.output);  // an input of that name would be taken for the picture
+  ProcessRequest request;
+  request.arguments = render_command(runner, paths);
+  request.folder = folder.run;
+  request.environment = environment(runner, folder.home);
+  request.writable_folder = folder.all;
+  const bool budget_is_shorter = seconds_left < suite_case.wall_seconds;
+  request.limits = {.cpu_seconds = suite_case.cpu_seconds,
+                    .wall_seconds = std::min(suite_case.wall_seconds, seconds_left),
+                    .memory_bytes = suite_case.memory_mb << 20,
+                    .output_bytes = suite_case.output_mb << 20};
+  const RunOutcome run = run_process(request);
+  result.run = run;
+  result.measured_margin = measured_margin(suite_case, run);
+  for (const auto& input : suite_case.inputs) result.hashes.emplace_back(input.filename().string(), file_hash(input));
+  const std::filesystem::path evidence = results.case_folder(suite_case.id);
+  write_file_staged(evidence / "log.txt", run.log);
+
+  if (!workspace.check_build()) {
+    result.check = stopped(Verdict::security, "build_changed", "the program changed its own build, which later cases would have run", "write only beside the scene or where the assignment says");
+  } else if (const auto stop = verdict_of_stop(suite_case, run, budget_is_shorter)) {
+    result.check = *stop;
+  } else {
+    const ImageCheck check = check_image({suite_case, run, folder.run, paths.output, evidence});
+    result.check = check.result;
+    result.hashes.insert(result.hashes.end(), check.hashes.begin(), check.hashes.end());
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plumb {
+
+/// How a submission is built and run. Commands are argument lists; no shell reads them. In them stand for something:
+/// `{sources:GLOB}` (build only, a whole argument): the matching files of the submission, by name;
+/// `{scene}` the scene's path and `{folder}` its folder, relative to where the program runs; `{scene_name}` its file name;
+/// `{output}` the path of the picture.
+struct Runner {
+  std::vector<std::vector<std::string>> build;
+  std::vector<std::string> render;
+  std::vector<std::pair<std::string, std::string>> env;
+  /// Where the picture appears, relative to where the program runs; may hold {scene}, {scene_name}, {folder}.
+  std::string output = "{scene}.png";
+  /// The folder that holds the scene and its inputs, relative to where the program runs; empty for that folder itself.
+  std::string scene_at;
+};
+
+/// What a skipped case counts: no points, not at all, or as a person decides.
+enum class SkippedPolicy { zero, excluded, manual };
+
+/// One thing that is asked of a submission: input files, a command (the runner's) and a reference picture.
+struct SuiteCase {
+  std::string id;
+  std::string kind;
+  /// Copied beside the scene; absolute. The scene is among them.
+  std::vector<std::filesystem::path> inputs;
+  std::filesystem::path scene;
+  std::filesystem::path reference;
+  /// The requirement it stands for, in words.
+  std::string requirement;
+  double points = 1;
+  /// Places in Suite::cases.
+  std::vector<std::size_t> prerequisites;
+  /// The largest channel difference that is right: levels, or linear for EXR.
+  double tolerance = 1;
+  double cpu_seconds = 30;
+  double wall_seconds = 90;
+  std::int64_t memory_mb = 2048;
+  std::int64_t output_mb = 64;
+  /// For hosts that show results to students: visible, hidden, after_due_date or after_published.
+  std::string visibility = "visible";
+};
+
+/// A suite file: everything that decides.
+struct Suite {
+  std::filesystem::path file;
+  std::string id;
+  /// For people and reports; judging a picture reads no scene.
+  std::string dialect;
+  /// Accepted variants of a right picture, for reports.
+  std::vector<std::string> variants;
+  /// On the clock, for all of a submission.
+  double total_seconds = 3600;
+  /// Whether the submission's own submission.toml says how it is built and run.
+  bool own_runner = false;
+  SkippedPolicy skipped = SkippedPolicy::zero;
+  /// Whether the suite itself says how.
+  bool has_runner = false;
+  Runner runner;
+  double build_seconds = 120;
+  /// A file that every submission has: its root is the folder this path starts from. Empty: the folder that is handed in.
+  std::string root_marker;
+  /// A folder of staff files that replace those of the submission, absolute; empty for none.
+  std::filesystem::path overlay;
+  std::vector<SuiteCase> cases;
+  /// SHA-256 over the suite file and every file it names.
+  std::string hash;
+};
+
+/// Reads and checks a suite. Paths in it are relative to its folder. Throws InputError, with line and column, for malformed TOML, an unknown,
+/// missing or unusable value, two cases of one id, a prerequisite that does not exist or depends on the case itself, and any file or
+/// folder that is missing: a missing reference fails here, never later.
+Suite read_suite(const std::filesystem::path& file);
+
+/// Reads the [runner] of a submission: build, render, env, output and scene_at, nothing that limits or decides. Throws InputError.
+Runner read_submission_runner(const std::filesystem::path& file);
+
+}  // namespace plumb

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "conformance/judge/commands.h"
+#include "conformance/judge/suite.h"
+
+namespace plumb {
+
+/// The folders that one submission is built and run in, below the system's folder for temporary files; removed with this object. References
+/// and results are never in them.
+class Workspace {
+ public:
+  Workspace();
+  ~Workspace();
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  /// Copies the submission: from the folder that the suite's root_marker starts from (the first, nearest to the top), with the overlay's files over it. Links
+  /// and special files are left out and named in `left_out`. Throws InputError if the root is not found.
+  void copy_submission(const std::filesystem::path& submission, const Suite& suite);
+  const std::vector<std::string>& left_out() const { return left_out_; }
+
+  /// The copy, in which the build runs.
+  const std::filesystem::path& build() const { return build_; }
+
+  /// Takes the write permissions from the build and remembers its state.
+  void seal_build();
+  /// Whether the build is as it was sealed. If not, it is put back.
+  bool check_build();
+
+  /// A new folder for a case, with the inputs at the runner's scene_at and beside them links to what was built, but no picture.
+  struct CaseFolder {
+    std::filesystem::path all;   ///< whose size is watched
+    std::filesystem::path run;   ///< where the program starts
+    std::filesystem::path home;  ///< HOME and TMPDIR
+  };
+  CaseFolder make_case_folder(const SuiteCase& suite_case, const Runner& runner);
+
+ private:
+  /// What a file of the build is known by: size, time of last change, permissions; the target of a link.
+  using State = std::map<std::string, std::string>;
+  State state_of(const std::filesystem::path& folder) const;
+
+  std::filesystem::path root_;
+  std::filesystem::path build_;
+  std::filesystem::path sealed_copy_;
+  State sealed_;
+  std::vector<std::string> left_out_;
+};
+
+/// The folder from which `marker` is found: `top` itself, or the one nearest below it. Throws InputError if there is none.
+std::filesystem::path find_root(const std::filesystem::path& top, const std::string& marker);
+
+}  // namespace plumb

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "conformance/sandbox/run_outcome.h"
+#include "conformance/verdict.h"
+
+namespace plumb {
+
+/// One case of a suite, judged for one submission.
+struct CaseResult {
+  std::string id;
+  std::string kind;
+  std::string requirement;
+  std::string visibility;
+  CheckResult check;
+  /// Points earned, out of max_points. A pending case waits for a person: its points count neither way.
+  double points = 0;
+  double max_points = 0;
+  bool pending = false;
+  /// Left out of the totals, by the suite's rule for skipped cases.
+  bool excluded = false;
+  /// SHA-256 of what went in and came out, by name.
+  std::vector<std::pair<std::string, std::string>> hashes;
+  /// What repeats this case.
+  std::string repeat;
+  /// The run, where there was one; everything in it was measured.
+  std::optional<RunOutcome> run;
+  /// Distance to a limit of time or memory; stands beside the measurements.
+  std::optional<double> measured_margin;
+};
+
+struct Totals {
+  double points = 0;
+  double max_points = 0;
+  double pending_points = 0;
+};
+
+/// Everything that grading one submission by one suite found.
+struct ResultSet {
+  std::string suite_id;
+  std::string suite_hash;
+  std::string dialect;
+  std::vector<std::string> variants;
+  std::string submission_id;
+  std::string plumb_version;
+  /// Sentences about the submission as a whole: files left out, a configuration ignored.
+  std::vector<std::string> notes;
+  /// In the suite's order.
+  std::vector<CaseResult> cases;
+
+  Totals totals() const;
+};
+
+}  // namespace plumb

@@ -1,0 +1,153 @@
+#include "conformance/results/write_results.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "renderer/image/staged_file.h"
+#include "renderer/math/input_error.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+
+/// JSON has no infinities: they are texts.
+Json number(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+Json evidence_json(const Evidence& evidence) {
+  Json json = Json::object();
+  for (const auto& [name, value] : evidence) {
+    if (const auto* real = std::get_if<double>(&value)) json[name] = number(*real);
+    else std::visit([&](const auto& v) { json[name] = v; }, value);
+  }
+  return json;
+}
+
+Json case_json(const CaseResult& c) {
+  Json json;
+  json["schema"] = kSchema;
+  json["id"] = c.id;
+  json["kind"] = c.kind;
+  json["requirement"] = c.requirement;
+  json["visibility"] = c.visibility;
+  json["verdict"] = to_string(c.check.verdict);
+  json["cause"] = c.check.cause;
+  json["points"] = number(c.points);
+  json["max_points"] = number(c.max_points);
+  json["pending"] = c.pending;
+  json["excluded"] = c.excluded;
+  json["margin"] = c.check.margin ? number(*c.check.margin) : Json();
+  json["summary"] = c.check.summary;
+  json["advice"] = c.check.advice;
+  json["evidence"] = evidence_json(c.check.evidence);
+  json["hashes"] = Json::object();
+  for (const auto& [name, hash] : c.hashes) json["hashes"][name] = hash;
+  json["seed"] = Json();  // nothing random decides an image case
+  json["repeat"] = c.repeat;
+  return json;
+}
+
+std::string host_name() {
+  std::string name(256, '\0');
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "";
+  return name.c_str();
+}
+
+Json usage_json(const CaseResult& c) {
+  Json json;
+  json["schema"] = kSchema;
+  if (c.run) {
+    const RunOutcome& run = *c.run;
+    json["stopped"] = to_string(run.reason);
+    json["exit_code"] = run.exit_code;
+    json["signal"] = run.signal;
+    json["cpu_seconds"] = number(run.cpu_seconds);
+    json["wall_seconds"] = number(run.wall_seconds);
+    json["peak_memory_bytes"] = run.peak_memory_bytes;
+    json["output_bytes"] = run.output_bytes;
+    json["log_bytes_dropped"] = run.log_bytes_dropped;
+    json["active_limits"] = run.active_limits;
+  }
+  if (c.measured_margin) json["margin"] = number(*c.measured_margin);
+  json["host"] = {{"name", host_name()}, {"processors", std::thread::hardware_concurrency()}};
+  return json;
+}
+
+Json results_json(const ResultSet& r) {
+  const Totals totals = r.totals();
+  Json json;
+  json["schema"] = kSchema;
+  json["suite"] = {{"id", r.suite_id}, {"hash", r.suite_hash}, {"dialect", r.dialect}, {"variants", r.variants}};
+  json["submission"] = r.submission_id;
+  json["versions"] = {{"plumb", r.plumb_version}};
+  json["totals"] = {{"points", number(totals.points)}, {"max_points", number(totals.max_points)}, {"pending_points", number(totals.pending_points)}};
+  json["notes"] = r.notes;
+  json["cases"] = Json::array();
+  for (const CaseResult& c : r.cases) {
+    json["cases"].push_back({{"id", c.id}, {"verdict", to_string(c.check.verdict)}, {"cause", c.check.cause}, {"points", number(c.points)}, {"max_points", number(c.max_points)}});
+  }
+  return json;
+}
+
+/// Bytes of the submission may stand in texts; what is not UTF-8 becomes U+FFFD.
+void write_json(const fs::path& file, const Json& json) {
+  write_file_staged(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+bool may_be_replaced(const fs::path& dir) {
+  return !fs::exists(fs::symlink_status(dir)) || (fs::is_directory(dir) && (fs::is_empty(dir) || fs::exists(dir / "results.json")));
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(fs::path dir) : dir_(std::move(dir)) {
+  if (!dir_.has_filename()) dir_ = dir_.parent_path();
+  if (!may_be_replaced(dir_)) throw InputError({dir_.string()}, "holds something that is no result set and would be lost, expected a new folder or an earlier result");
+  partial_ = dir_;
+  partial_ += ".partial";
+  std::error_code error;
+  fs::remove_all(partial_, error);
+  fs::create_directories(partial_, error);
+  if (error) throw InputError({partial_.string()}, "cannot make the folder for the results: " + error.message());
+}
+
+fs::path ResultFolder::case_folder(const std::string& id) const {
+  fs::path folder = partial_ / "cases" / id;
+  fs::create_directories(folder);
+  return folder;
+}
+
+fs::path ResultFolder::build_folder() const {
+  fs::path folder = partial_ / "build";
+  fs::create_directories(folder);
+  return folder;
+}
+
+void ResultFolder::write_case(const CaseResult& result) const {
+  const fs::path folder = case_folder(result.id);
+  write_json(folder / "case.json", case_json(result));
+  write_json(folder / "usage.json", usage_json(result));
+}
+
+void ResultFolder::finish(const ResultSet& results) const {
+  write_json(partial_ / "results.json", results_json(results));
+  // An older set steps aside first and goes last: at no moment is there none.
+  fs::path older = dir_;
+  older += ".older";
+  fs::remove_all(older);
+  if (fs::exists(dir_)) fs::rename(dir_, older);
+  fs::rename(partial_, dir_);
+  fs::remove_all(older);
+}
+
+}  // namespace plumb

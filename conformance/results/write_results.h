@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+
+#include "conformance/results/result_set.h"
+
+namespace plumb {
+
+/// The folder that results go to. They are gathered in `DIR.partial` and take DIR's name at the end, so that DIR always holds a whole set.
+class ResultFolder {
+ public:
+  /// Throws InputError if DIR is there and is no result set (it would be replaced), or `DIR.partial` cannot be made.
+  explicit ResultFolder(std::filesystem::path dir);
+
+  /// Where files of a case belong beside its case.json; made on the way.
+  std::filesystem::path case_folder(const std::string& id) const;
+  std::filesystem::path build_folder() const;
+
+  /// Writes case.json and usage.json of a case.
+  void write_case(const CaseResult& result) const;
+  /// Writes results.json and gives the folder its name, in place of an older set.
+  void finish(const ResultSet& results) const;
+
+  const std::filesystem::path& dir() const { return dir_; }
+
+ private:
+  std::filesystem::path dir_;
+  std::filesystem::path partial_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace plumb {
+
+/// What the chosen verb does; returns the exit status.
+using Action = std::function<int()>;
+
+/// Each adds its verb to the command line and sets `action` when that verb was chosen.
+void add_render_command(CLI::App& app, Action& action);
+void add_diff_command(CLI::App& app, Action& action);
+void add_grade_command(CLI::App& app, Action& action);
+
+}  // namespace plumb

@@ -161,17 +161,27 @@ class SceneReader {
       if (child.type() == pugi::node_element || !is_blank(child.value())) fail(child, tag(node.name()) + " has both a ref and content, expected one of them");
     }
     const auto found = named_.find(ref);
-    if (found == named_.end()) {
-      std::vector<std::string_view> names;
-      for (const auto& [name, unused] : named_) names.push_back(name);
-      fail(node, "nothing was named " + in_quotes(ref) + " before this line, expected the name of an earlier element" + did_you_mean(ref, names));
-    }
+    if (found == named_.end()) fail_unknown_name(node, ref);
     const Named& target = found->second;
     if (target.type != parameter.type || (target.type == ValueType::object && target.role != parameter.role)) {
       fail(node, in_quotes(ref) + " names " + described(target) + ", expected " +
                      (parameter.type == ValueType::object ? "a " + std::string(to_string(parameter.role)) : std::string(to_string(parameter.type))));
     }
     return target.value;
+  }
+
+  [[noreturn]] void fail_unknown_name(const pugi::xml_node& node, const std::string& ref) const {
+    const pugi::xml_node later = source_.root().find_node([&](const pugi::xml_node& n) { return ref == n.attribute("name").value(); });
+    if (!ref.empty() && later) {
+      fail(node, "the name " + in_quotes(ref) + " is not complete before line " + std::to_string(source_.position(later).line) +
+                     ", expected the element that is named to end before the one that refers to it");
+    }
+    std::vector<std::string_view> names;
+    source_.root().find_node([&](const pugi::xml_node& n) {
+      if (const pugi::xml_attribute name = n.attribute("name")) names.push_back(name.value());
+      return false;
+    });
+    fail(node, "nothing is named " + in_quotes(ref) + ", expected the name of an earlier element" + did_you_mean(ref, names));
   }
 
   static std::string described(const Named& target) {

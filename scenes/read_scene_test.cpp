@@ -165,8 +165,8 @@ TEST(ReadScene, ANameGivenTwiceMeansTheLaterFromThereOn) {
 }
 
 TEST(ReadScene, CommentsAndCDataWithinText) {
-  const auto scene = read_elements("<!-- a --><surface type='Ball'><!-- b --><middle>1 <!-- 9 -->2<!-- --> <![CDATA[3]]></middle></surface>");
-  EXPECT_EQ(surface(scene)->point("middle"), (Point3{1, 2, 3}));
+  const auto scene = read_elements("<!-- a --><surface type='Ball'><!-- b --><middle>1 <!-- 9 -->2<!-- -->\n0<![CDATA[.5]]></middle></surface>");
+  EXPECT_EQ(surface(scene)->point("middle"), (Point3{1, 2, 0.5}));
 }
 
 TEST(ReadScene, CharacterReferencesAreRead) {

@@ -1,10 +1,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "renderer/math/input_error.h"
+#include "renderer/math/nearest_name.h"
+#include "tools/plumb/arguments.h"
 #include "tools/plumb/command.h"
 
 namespace {
@@ -12,6 +18,15 @@ namespace {
 /// 0 right, 1 wrong, 2 usage or bad input, 3 our own fault (docs/results.md).
 constexpr int kUsage = 2;
 constexpr int kInternal = 3;
+
+/// A misspelt verb is named, before the parser only says that one is missing.
+void check_verb(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string_view> verbs;
+  for (const CLI::App* verb : app.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
+  if (std::ranges::find(verbs, argv[1]) != verbs.end()) return;
+  throw plumb::InputError({}, std::string("plumb: unknown verb '") + argv[1] + "', expected " + plumb::joined(verbs) + plumb::did_you_mean(argv[1], verbs));
+}
 
 }  // namespace
 
@@ -25,6 +40,7 @@ int main(int argc, char** argv) {
   plumb::add_diff_command(app, action);
   plumb::add_grade_command(app, action);
   try {
+    check_verb(app, argc, argv);
     app.parse(argc, argv);
     return action();
   } catch (const CLI::ParseError& error) {

@@ -17,6 +17,9 @@ const KindEntry& entry_of(std::span<const KindEntry* const> kinds, const ObjectD
   throw std::logic_error("the kind " + std::string(object.kind->name) + " is not in its table");
 }
 
+/// Substrates under substrates are shaded recursively.
+constexpr int kDeepestShader = 1000;
+
 class SceneBuilder {
  public:
   SceneBuilder(const SceneDescription& description, const MeshTable& meshes, const BuildOptions& options, std::vector<std::string>& warnings)
@@ -53,12 +56,12 @@ class SceneBuilder {
   }
 
   void place(const ObjectDescription& surface, const Placement& around) {
+    if (++visits_ > kMostPlacedSurfaces) {  // groups count too: shared ones multiply even where they hold nothing
+      throw InputError(surface.where(), "more than " + std::to_string(kMostPlacedSurfaces) + " surfaces and groups, counting each use of a shared one");
+    }
     if (surface.kind == &group_kind) {
       place_group(surface, around);
       return;
-    }
-    if (contents_.placed.size() == kMostPlacedSurfaces) {
-      throw InputError(surface.where(), "more than " + std::to_string(kMostPlacedSurfaces) + " surfaces, counting each use of a shared one");
     }
     const ObjectPointer own_shader = surface.object("shader");
     const ObjectDescription* shader = own_shader ? own_shader.get() : around.shader;
@@ -72,12 +75,21 @@ class SceneBuilder {
       const std::string_view name = property.parameter->name;
       if (name == "translate") inner.world_from_group = inner.world_from_group * translation(std::get<Vec3>(property.value));
       if (name == "rotate") inner.world_from_group = inner.world_from_group * rotation_degrees(std::get<Vec3>(property.value));
-      if (name == "scale") inner.world_from_group = inner.world_from_group * scaling(std::get<Vec3>(property.value));
+      if (name == "scale") inner.world_from_group = inner.world_from_group * scaling(factors(group, property));
     }
     transform(group, inner.world_from_group);  // a singular one is the group's fault, not its members'
     const ObjectPointer shader = group.object("shader");
     if (shader) inner.shader = shader.get();
     for (const ObjectPointer& member : group.objects("surface")) place(*member, inner);
+  }
+
+  /// A factor of zero is refused here: rounding can hide it in a product with rotations.
+  static Vec3 factors(const ObjectDescription& group, const Property& scale) {
+    const Vec3 factors = std::get<Vec3>(scale.value);
+    if (factors.x == 0 || factors.y == 0 || factors.z == 0) {
+      throw InputError({*group.file, scale.where.line, scale.where.column}, "the transform is singular: <scale> has a factor of zero, which flattens space");
+    }
+    return factors;
   }
 
   static Transform transform(const ObjectDescription& object, const AffineMatrix& matrix) {
@@ -99,7 +111,9 @@ class SceneBuilder {
 
   const Shader& shader_of(const ObjectDescription& object) {
     if (const auto known = shaders_.find(&object); known != shaders_.end()) return *known->second;
+    if (++shader_depth_ > kDeepestShader) throw InputError(object.where(), "shaders lie in each other more than " + std::to_string(kDeepestShader) + " deep");
     auto shader = entry_of(shader_kinds(), object).make(object, [this](const ObjectDescription& inner) -> const Shader& { return shader_of(inner); });
+    --shader_depth_;
     contents_.shaders.push_back(std::move(shader));
     return *shaders_.emplace(&object, contents_.shaders.back().get()).first->second;
   }
@@ -117,6 +131,8 @@ class SceneBuilder {
   const BuildOptions& options_;
   SurfaceContext context_;
   SceneContents contents_;
+  std::size_t visits_ = 0;
+  int shader_depth_ = 0;
   std::map<const ObjectDescription*, const Surface*> surfaces_;
   std::map<const ObjectDescription*, const Shader*> shaders_;
   ObjectDescription white_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,8 @@ struct Parameter {
   std::string_view default_text = "";
   std::string_view unit = "";
   Range range = Range::any;
+  /// The largest value that is accepted.
+  double largest = std::numeric_limits<double>::infinity();
   /// For ValueType::object.
   Role role = Role::scene;
   /// May be given any number of times, each counting; otherwise the last one wins.

@@ -1,5 +1,6 @@
 #include "scenes/load_meshes.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -9,7 +10,11 @@
 namespace plumb {
 namespace {
 
-double single(double x) { return static_cast<float>(x); }
+/// Volatile, because GCC 12 at -O2 and above drops a plain rounding to float and back where it vectorises this loop.
+double single(double x) {
+  volatile float rounded = static_cast<float>(x);
+  return rounded;
+}
 
 TriangleMesh in_single_precision(TriangleMesh mesh) {
   for (Point3& p : mesh.positions) p = {single(p.x), single(p.y), single(p.z)};
@@ -41,7 +46,11 @@ class MeshLoader {
     if (!std::filesystem::exists(file, error)) {
       throw InputError(object.where(parameter), "the mesh '" + file.string() + "' does not exist, expected a file relative to the scene's folder");
     }
-    meshes_.emplace(name, std::make_shared<const TriangleMesh>(in_single_precision(read_mesh(file))));
+    TriangleMesh mesh = in_single_precision(read_mesh(file));
+    if (!std::ranges::all_of(mesh.positions, [](const Point3& p) { return is_finite(p); })) {
+      throw InputError(object.where(parameter), "the mesh '" + file.string() + "' has a coordinate beyond the range of single precision, expected at most 3.4e38");
+    }
+    meshes_.emplace(name, std::make_shared<const TriangleMesh>(std::move(mesh)));
   }
 
   std::filesystem::path folder_;

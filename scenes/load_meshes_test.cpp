@@ -45,16 +45,6 @@ TEST(LoadMeshes, EachFileIsReadOnceWhereverItIsNamed) {
   EXPECT_EQ(*meshes.at("a.msh"), *meshes.at("below/b.msh"));
 }
 
-TEST(LoadMeshes, NumbersAreRoundedToSinglePrecision) {
-  write_file("a.msh", kTriangle);
-  const MeshTable meshes = load("<surface type='Net'><data>a.msh</data></surface>");
-  const TriangleMesh& mesh = *meshes.at("a.msh");
-  EXPECT_EQ(mesh.positions[0].x, static_cast<double>(0.1F));
-  EXPECT_EQ(mesh.normals[0].z, static_cast<double>(0.1F));
-  EXPECT_EQ(mesh.texcoords[0].u, static_cast<double>(0.1F));
-  EXPECT_NE(static_cast<double>(0.1F), 0.1);
-}
-
 TEST(LoadMeshes, AMissingFileIsAnErrorAtItsElement) {
   try {
     load(" <surface type='Net'>\n <data>none.msh</data></surface>");
@@ -87,6 +77,16 @@ TEST(Dialect, NamesAreKnownOrSuggested) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("did you mean 'pa3-2011'?"));
   }
+}
+
+TEST(LoadMeshes, NumbersAreRoundedToSinglePrecision) {
+  write_file("a.msh", kTriangle);
+  const MeshTable meshes = load("<surface type='Net'><data>a.msh</data></surface>");
+  const TriangleMesh& mesh = *meshes.at("a.msh");
+  EXPECT_EQ(mesh.positions[0].x, static_cast<double>(0.1F));
+  EXPECT_EQ(mesh.normals[0].z, static_cast<double>(0.1F));
+  EXPECT_EQ(mesh.texcoords[0].u, static_cast<double>(0.1F));
+  EXPECT_NE(static_cast<double>(0.1F), 0.1);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "scenes/read_scene.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <pugixml.hpp>
+#include <span>
 #include <utility>
 
 #include "renderer/math/nearest_name.h"
@@ -11,7 +14,7 @@
 namespace plumb {
 namespace {
 
-constexpr int kDeepestNesting = 2000;
+constexpr int kDeepestNesting = 1000;
 
 std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
 std::string tag(std::string_view name) { return "<" + std::string(name) + ">"; }
@@ -33,6 +36,7 @@ class SceneReader {
   SceneDescription read() {
     const pugi::xml_node root = source_.root();
     if (!equal_ignoring_case(root.name(), "scene")) fail(root, "the root element is " + tag(root.name()) + ", expected <scene>");
+    check_attributes(root, {"name"});
     description_.scene = read_object(root, scene_kind, 0);
     check_image_size(*description_.scene);
     return std::move(description_);
@@ -83,7 +87,8 @@ class SceneReader {
   void read_property(const pugi::xml_node& node, const Kind& owner, ObjectDescription& object, int depth) {
     const Parameter& written = parameter_for(node, owner);
     const Parameter& parameter = written.alias_of.empty() ? written : parameter_named(owner, written.alias_of);
-    check_attributes(node, parameter);
+    if (parameter.type == ValueType::object) check_attributes(node, {"type", "name", "ref"});
+    else check_attributes(node, {"name", "ref"});
     if (!parameter.repeatable && object.has(parameter.name)) {
       warn(node, tag(node.name()) + " was given before at line " + std::to_string(object.where(parameter.name).line) +
                      "; the last one counts");
@@ -126,15 +131,20 @@ class SceneReader {
     throw std::logic_error("an alias names a parameter that does not exist");
   }
 
-  void check_attributes(const pugi::xml_node& node, const Parameter& parameter) const {
-    static constexpr std::string_view kKnown[] = {"type", "name", "ref"};
+  void check_attributes(const pugi::xml_node& node, std::span<const std::string_view> known) const {
+    std::string expected;
+    for (const std::string_view name : known) expected += (expected.empty() ? "" : ", ") + std::string(name);
     for (const pugi::xml_attribute& attribute : node.attributes()) {
       const std::string_view name = attribute.name();
-      if (name == "type" && parameter.type != ValueType::object) fail(node, tag(node.name()) + " takes no type, it is " + std::string(to_string(parameter.type)));
-      if (name != "type" && name != "name" && name != "ref") {
-        fail(node, "unknown attribute " + in_quotes(name) + " of " + tag(node.name()) + ", expected type, name or ref" + did_you_mean(name, kKnown));
+      if (std::ranges::find(known, name) == known.end()) {
+        fail(node, "unknown attribute " + in_quotes(name) + " of " + tag(node.name()) + ", expected " + expected + did_you_mean(name, known));
       }
+      if (node.attribute(attribute.name()) != attribute) fail(node, "the attribute " + in_quotes(name) + " of " + tag(node.name()) + " is given twice, expected once");
     }
+  }
+
+  void check_attributes(const pugi::xml_node& node, std::initializer_list<std::string_view> known) const {
+    check_attributes(node, std::span<const std::string_view>(known.begin(), known.size()));
   }
 
   const Kind& kind_for(const pugi::xml_node& node, Role role) const {
@@ -167,6 +177,10 @@ class SceneReader {
       fail(node, in_quotes(ref) + " names " + described(target) + ", expected " +
                      (parameter.type == ValueType::object ? "a " + std::string(to_string(parameter.role)) : std::string(to_string(parameter.type))));
     }
+    if (const pugi::xml_attribute type = node.attribute("type"); type && without_package(type.value()) != std::get<ObjectPointer>(target.value)->kind->name) {
+      fail(node, in_quotes(ref) + " names a " + std::string(std::get<ObjectPointer>(target.value)->kind->name) + ", expected the type " + in_quotes(type.value()));
+    }
+    check_range(parameter, target.value, location(node));
     return target.value;
   }
 

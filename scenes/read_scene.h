@@ -14,7 +14,7 @@ namespace plumb {
 /// an element that was given a `name` earlier and shares it. A single-valued tag given twice: the last wins,
 /// with a warning. Throws InputError, with line and column, for malformed XML, an unknown tag, attribute, type
 /// or reference (naming the nearest known one), a wrong count of numbers or one out of range, a missing
-/// required tag, text where elements belong, an absurd picture size, and nesting past 2000 levels.
+/// required tag, text where elements belong, an absurd picture size, and nesting past 1000 levels.
 SceneDescription read_scene(const std::filesystem::path& file, const KindTable& kinds);
 
 }  // namespace plumb

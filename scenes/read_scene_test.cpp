@@ -135,8 +135,8 @@ TEST(ReadScene, ARefMayCarryANameOfItsOwn) {
 }
 
 TEST(ReadScene, ARefMustFollowItsName) {
-  EXPECT_THAT(refusal("<surface ref='ball'/>\n<surface type='Ball' name='ball'/>"), HasSubstr("2:1: nothing was named 'ball' before this line"));
-  EXPECT_THAT(refusal("<surface type='Group' name='g'>\n <surface ref='g'/></surface>"), HasSubstr("3:2: nothing was named 'g'"))
+  EXPECT_THAT(refusal("<surface ref='ball'/>\n<surface type='Ball' name='ball'/>"), HasSubstr("2:1: the name 'ball' is not complete"));
+  EXPECT_THAT(refusal("<surface type='Group' name='g'>\n <surface ref='g'/></surface>"), HasSubstr("3:2: the name 'g' is not complete"))
       << "so no element can hold itself";
 }
 
@@ -206,6 +206,10 @@ TEST(ReadScene, ShadersNest) {
 
 TEST(ReadScene, NothingButTheSceneIsOpened) {
   EXPECT_EQ(refusal("<surface type='Ball'><picture>/no/such/file</picture></surface>"), "");
+}
+
+TEST(ReadScene, WhiteSpaceBetweenCommentsSeparatesNumbers) {
+  EXPECT_EQ(read_text("<scene><image>1<!--a--> <!--b-->2</image></scene>").scene->size("image"), (Size2{1, 2}));
 }
 
 }  // namespace

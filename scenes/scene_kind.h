@@ -8,6 +8,9 @@ namespace plumb {
 extern const Kind scene_kind;
 extern const Kind group_kind;
 
+/// The largest maximum depth: tracing is recursive.
+constexpr int kDeepestPath = 1000;
+
 /// The most pixels and the longest side a picture may have.
 constexpr int kLargestImageSide = 65535;
 constexpr long kMostImagePixels = 1L << 28;

@@ -1,5 +1,6 @@
 #include "scenes/value.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -32,17 +33,12 @@ class ValueReader {
   }
 
   double number(std::size_t i) const {
-    double value = parsed<double>(i);
+    const double value = parsed<double>(i);
     if (!std::isfinite(value)) fail("'" + std::string(words_[i]) + "' is not a finite number");
-    check_range(value);
     return value;
   }
 
-  int integer(std::size_t i) const {
-    const int value = parsed<int>(i);
-    check_range(value);
-    return value;
-  }
+  int integer(std::size_t i) const { return parsed<int>(i); }
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
@@ -62,13 +58,6 @@ class ValueReader {
     return value;
   }
 
-  void check_range(double value) const {
-    if (parameter_.range == Range::not_negative && value < 0)
-      throw InputError(where_, "<" + std::string(parameter_.name) + "> must not be negative, but it is " + std::string(words_[0]));
-    if (parameter_.range == Range::positive && !(value > 0))
-      throw InputError(where_, "<" + std::string(parameter_.name) + "> must be greater than zero, but it is " + std::string(words_[0]));
-  }
-
   const Parameter& parameter_;
   std::vector<std::string_view> words_;
   const SourceLocation& where_;
@@ -82,9 +71,21 @@ std::string file_name(const Parameter& parameter, std::string_view text, const S
   return std::string(text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1));
 }
 
-}  // namespace
+std::string short_text(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
 
-Value parse_value(const Parameter& parameter, std::string_view text, const SourceLocation& where) {
+void check_number(const Parameter& parameter, double value, const SourceLocation& where) {
+  const auto fail = [&](const std::string& rule) {
+    throw InputError(where, "<" + std::string(parameter.name) + "> must " + rule + ", but it is " + short_text(value));
+  };
+  if (parameter.range == Range::not_negative && value < 0) fail("not be negative");
+  if (parameter.range == Range::positive && !(value > 0)) fail("be greater than zero");
+  if (value > parameter.largest) fail("be at most " + short_text(parameter.largest));
+}
+
+Value parse_text(const Parameter& parameter, std::string_view text, const SourceLocation& where) {
   if (parameter.type == ValueType::file) return file_name(parameter, text, where);
   const ValueReader reader(parameter, text, where);
   switch (parameter.type) {
@@ -106,6 +107,26 @@ Value parse_value(const Parameter& parameter, std::string_view text, const Sourc
     case ValueType::object: break;
   }
   throw std::logic_error("this parameter is not a value");
+}
+
+}  // namespace
+
+Value parse_value(const Parameter& parameter, std::string_view text, const SourceLocation& where) {
+  Value value = parse_text(parameter, text, where);
+  check_range(parameter, value, where);
+  return value;
+}
+
+void check_range(const Parameter& parameter, const Value& value, const SourceLocation& where) {
+  const auto check = [&](double number) { check_number(parameter, number, where); };
+  if (const auto* number = std::get_if<double>(&value)) check(*number);
+  if (const auto* number = std::get_if<int>(&value)) check(*number);
+  if (const auto* size = std::get_if<Size2>(&value)) {
+    check(size->width);
+    check(size->height);
+  }
+  if (const auto* triple = std::get_if<Vec3>(&value))
+    for (int axis = 0; axis < 3; ++axis) check((*triple)[axis]);
 }
 
 }  // namespace plumb

@@ -27,7 +27,10 @@ struct Size2 {
 using Value = std::variant<double, int, Size2, Vec3, std::string, ObjectPointer>;
 
 /// Reads the text of a parameter that is not an object: exactly the count of numbers it takes, separated
-/// by any white space, finite, within its range. Throws InputError at `where`, which is the text's place.
+/// by any white space, finite, within its range. Throws InputError at `where`.
 Value parse_value(const Parameter& parameter, std::string_view text, const SourceLocation& where);
+
+/// Throws InputError at `where` if a number of the value lies outside of the parameter's range. Values that are not numbers pass.
+void check_range(const Parameter& parameter, const Value& value, const SourceLocation& where);
 
 }  // namespace plumb

@@ -121,5 +121,12 @@ TEST(Value, AnObjectIsNoText) {
   EXPECT_THROW(parse_value(parameter(ValueType::object), "1", kHere), std::logic_error);
 }
 
+TEST(Value, NothingAboveTheLargestIsAccepted) {
+  Parameter samples = parameter(ValueType::integer);
+  samples.largest = 8;
+  EXPECT_EQ(refusal(samples, "8"), "");
+  EXPECT_EQ(refusal(samples, "9"), "a.xml:4:7: <thing> must be at most 8, but it is 9");
+}
+
 }  // namespace
 }  // namespace plumb

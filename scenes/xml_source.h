@@ -25,12 +25,13 @@ class XmlSource {
 
   /// The root element; there is exactly one.
   pugi::xml_node root() const;
-  /// Where the node's tag or text begins.
+  /// Where the node's tag, or the first letter of its text, begins.
   TextPosition position(const pugi::xml_node& node) const;
   const std::shared_ptr<const std::string>& file() const { return file_; }
 
  private:
   TextPosition position(std::ptrdiff_t offset) const;
+  std::ptrdiff_t offset(const pugi::xml_node& node) const;
   [[noreturn]] void fail(std::ptrdiff_t offset, const std::string& what) const;
 
   std::shared_ptr<const std::string> file_;

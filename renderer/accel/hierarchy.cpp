@@ -6,10 +6,17 @@
 
 namespace plumb {
 
+namespace {
+double largest_coordinate(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+}  // namespace
+
 SlabTest::SlabTest(const Ray& ray)
-    : origin(ray.origin),
-      reciprocal{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z},
-      negative{std::signbit(ray.direction.x), std::signbit(ray.direction.y), std::signbit(ray.direction.z)} {}
+    : reciprocal{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z},
+      negative{std::signbit(ray.direction.x), std::signbit(ray.direction.y), std::signbit(ray.direction.z)} {
+  const double margin = Hierarchy::kMargin * largest_coordinate(ray.origin);
+  origin_above = ray.origin + Vec3{margin, margin, margin};
+  origin_below = ray.origin + Vec3{-margin, -margin, -margin};
+}
 
 namespace {
 
@@ -19,13 +26,9 @@ constexpr std::uint32_t kLargestLeaf = 16;
 constexpr double kNodeCost = 0.5;
 
 Bounds3 widened(const Bounds3& box) {
-  Bounds3 wide = box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double margin = 0x1p-40 * std::max(std::fabs(box.min[axis]), std::fabs(box.max[axis]));
-    wide.min[axis] -= margin;
-    wide.max[axis] += margin;
-  }
-  return wide;
+  if (box.empty()) return box;
+  const double margin = Hierarchy::kMargin * std::max(largest_coordinate(box.min), largest_coordinate(box.max));
+  return {box.min + Vec3{-margin, -margin, -margin}, box.max + Vec3{margin, margin, margin}};
 }
 
 struct Bin {

@@ -10,8 +10,8 @@ Image::Image(int width, int height)
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
 std::uint8_t level_of(double linear) {
-  const double encoded = std::pow(linear, 1 / 2.2);  // NaN for negative values
-  if (!(encoded > 0)) return 0;
+  if (!(linear > 0)) return 0;
+  const double encoded = std::pow(linear, 1 / 2.2);
   const double clamped = static_cast<float>(encoded < 1 ? encoded : 1);
   return static_cast<std::uint8_t>(std::floor(255 * clamped + 0.5));
 }

@@ -105,15 +105,16 @@ PictureHeader read_picture_header(const std::filesystem::path& file) {
   const PictureFormat format = format_by_name(file);
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw InputError({file.string()}, "this is a folder, expected a picture");
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) throw InputError({file.string()}, "this is no ordinary file, expected a picture");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError({file.string()}, std::string("cannot open the picture: ") + std::strerror(errno));
   std::array<char, 65536> buffer;
   stream.read(buffer.data(), buffer.size());
   const Bytes bytes(buffer.data(), static_cast<std::size_t>(stream.gcount()));
   const Size size = format == PictureFormat::png ? png_size(bytes) : format == PictureFormat::exr ? exr_size(bytes) : ppm_size(bytes);
-  if (size.width < 1 || size.height < 1 || size.width > kLargestSide || size.height > kLargestSide) {
+  if (size.width < 1 || size.height < 1 || size.width > kLargestSide || size.height > kLargestSide || size.width * size.height > kMostPixels) {
     bad("its size is " + std::to_string(size.width) + "x" + std::to_string(size.height) + ", expected 1 to " +
-        std::to_string(kLargestSide) + " a side");
+        std::to_string(kLargestSide) + " a side and at most " + std::to_string(kMostPixels) + " pixels");
   }
   return {format, static_cast<int>(size.width), static_cast<int>(size.height)};
 }

@@ -3,8 +3,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
+#include <string>
 
 #include "renderer/math/input_error.h"
 
@@ -21,22 +22,21 @@ void write_file_staged(const fs::path& file, std::string_view bytes) {
   require_writable(file);
   fs::path partial = file;
   partial += ".partial";
-  {
-    errno = 0;
-    std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (!stream) {
-      const std::string reason = std::strerror(errno);
-      std::error_code ignored;
-      fs::remove(partial, ignored);
-      throw InputError({file.string()}, "cannot write the file: " + reason);
-    }
+  // A leftover of that name goes; the new one is made only if it is not there, so that no link is followed.
+  std::error_code ignored;
+  fs::remove(partial, ignored);
+  errno = 0;
+  std::FILE* stream = std::fopen(partial.c_str(), "wbx");
+  bool written = stream && std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size();
+  if (stream && std::fclose(stream) != 0) written = false;
+  if (!written) {
+    const std::string reason = std::strerror(errno);
+    fs::remove(partial, ignored);
+    throw InputError({file.string()}, "cannot write the file: " + reason);
   }
   std::error_code error;
   fs::rename(partial, file, error);
   if (error) {
-    std::error_code ignored;
     fs::remove(partial, ignored);
     throw InputError({file.string()}, "cannot write the file: " + error.message());
   }

@@ -96,8 +96,22 @@ Ray Transform::operator()(const Ray& ray) const {
 Bounds3 Transform::operator()(const Bounds3& bounds) const {
   Bounds3 result;
   if (bounds.empty()) return result;
-  for (int i = 0; i < 8; ++i) result.extend(apply(matrix_, bounds.corner(i)));
+  for (int i = 0; i < 8; ++i) {
+    const Point3 corner = apply(matrix_, bounds.corner(i));
+    const Vec3 margin = rounding_bound(bounds.corner(i));
+    result.extend(corner + margin);
+    result.extend(corner + -1.0 * margin);
+  }
   return result;
+}
+
+Vec3 Transform::rounding_bound(const Point3& p) const {
+  if (is_identity_) return {};
+  const auto row = [&](std::size_t i) {
+    const auto& r = matrix_[i];
+    return 8 * 0x1p-53 * (std::fabs(r[0] * p.x) + std::fabs(r[1] * p.y) + std::fabs(r[2] * p.z) + std::fabs(r[3]));
+  };
+  return {row(0), row(1), row(2)};
 }
 
 Ray Transform::inverse_of(const Ray& ray) const {

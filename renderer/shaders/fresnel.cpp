@@ -21,6 +21,7 @@ double reflectance(const Interface& interface, Fresnel fresnel) {
   const std::optional<double> beyond = refracted_cosine(interface);
   if (!beyond) return 1;
   const auto [cosine, from, to] = interface;
+  if (from == to) return 0;  // no interface; at grazing incidence the formulas below would divide zero by zero
   if (fresnel == Fresnel::schlick) {
     const double r0 = (to - from) / (to + from);
     const double thinner = from <= to ? cosine : *beyond;

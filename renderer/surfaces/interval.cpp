@@ -7,7 +7,15 @@
 namespace plumb {
 namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A power of two, so that stretching a direction and its t by it is exact.
+constexpr double kStretch = 0x1p600;
+
+std::optional<Interval> stretched(std::optional<Interval> interval) {
+  if (!interval) return interval;
+  return Interval{{interval->from.t * kStretch, interval->from.part}, {interval->to.t * kStretch, interval->to.part}};
 }
+}  // namespace
 
 std::optional<Interval> inside_slab(const Ray& ray, double center, double half) {
   const double low = center - half;
@@ -19,6 +27,7 @@ std::optional<Interval> inside_slab(const Ray& ray, double center, double half) 
   Crossing bottom{(low - ray.origin.z) / ray.direction.z, kBottom};
   Crossing top{(high - ray.origin.z) / ray.direction.z, kTop};
   if (ray.direction.z < 0) std::swap(bottom, top);
+  if (!(bottom.t <= top.t)) return std::nullopt;  // NaN
   return Interval{bottom, top};
 }
 
@@ -50,6 +59,7 @@ std::optional<Interval> inside_radius(const Vec3& f, const Vec3& d, double radiu
   const double a = dot(d, d);
   const double c = dot(f, f) - radius * radius;
   if (a == 0) {
+    if (d != Vec3{}) return stretched(inside_radius(f, kStretch * d, radius));  // its square has underflowed
     if (!(c <= 0)) return std::nullopt;
     return Interval{{-kInfinity, kSide}, {kInfinity, kSide}};
   }

@@ -9,11 +9,10 @@ Vec3 disc_extent(const AffineMatrix& m, double radius) {
   return {row(0), row(1), row(2)};
 }
 
-Bounds3 bounds_around(const Point3& center, const Vec3& extent) {
+Bounds3 bounds_around(const Point3& center, const Vec3& extent, const Vec3& center_rounding) {
   Bounds3 box{center + -1.0 * extent, center + extent};
   for (int axis = 0; axis < 3; ++axis) {
-    // Four roundings make up the extent and a few the centre: 8 units in the last place of the larger one.
-    const double margin = 8 * 0x1p-53 * (std::fabs(center[axis]) + extent[axis]);
+    const double margin = center_rounding[axis] + 8 * 0x1p-53 * (std::fabs(center[axis]) + extent[axis]);
     box.min[axis] -= margin;
     box.max[axis] += margin;
   }

@@ -6,17 +6,28 @@
 
 namespace plumb {
 
+/// A ray with the shear that takes its direction to an axis: what does not depend on the triangle. It refers to the ray, whose range may
+/// shrink meanwhile.
+struct ShearedRay {
+  explicit ShearedRay(const Ray& ray);
+
+  const Ray& ray;
+  /// The axis along which the direction is longest, and the other two.
+  int kx, ky, kz;
+  double shear_x, shear_y;
+};
+
 /// A hit on one triangle: u and v are the weights of b and c.
 struct TriangleHit {
   double t, u, v;
 };
 
-/// Both sides count; edges and vertices belong to the triangle. A ray in the triangle's plane and a triangle
-/// without area are missed.
+/// Both sides count; edges and vertices belong to the triangle. A ray in the triangle's plane and a triangle without area are missed, and
+/// so is every triangle by a ray with NaN.
 ///
-/// Which side of an edge the ray passes is the sign of d . (p x q) with p, q the edge's ends seen from the
-/// origin. The neighbour computes exactly the negated number, so no ray slips between the two [Woop 2013].
-/// t is taken from the plane, with the edges as differences, which is more accurate than the same products.
-std::optional<TriangleHit> intersect_triangle(const Ray& ray, const Point3& a, const Point3& b, const Point3& c);
+/// Watertight [Woop 2013]: seen along the ray, each vertex is a point of a plane, rounded alike for every triangle that shares it, and
+/// on which side of an edge the ray passes is decided exactly between those points. So no ray slips between neighbours, at a
+/// vertex neither. t is taken from the triangle's own plane, with its edges as differences, which is more accurate than the same products.
+std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b, const Point3& c);
 
 }  // namespace plumb

@@ -10,17 +10,21 @@
 namespace plumb {
 namespace {
 
+std::optional<TriangleHit> triangle_hit(const Ray& ray, const Point3& a, const Point3& b, const Point3& c) {
+  return intersect_triangle(ShearedRay(ray), a, b, c);
+}
+
 constexpr Point3 kA{0, 0, 0}, kB{1, 0, 0}, kC{0, 1, 0};
 
 TEST(Triangle, IsHitFromBothSidesInEitherOrientation) {
   for (const double side : {-1.0, 1.0}) {
     const Ray ray{{0.25, 0.5, 4 * side}, {0, 0, -2 * side}};
-    const auto hit = intersect_triangle(ray, kA, kB, kC);
+    const auto hit = triangle_hit(ray, kA, kB, kC);
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->t, 2);  // 4 / 2
     EXPECT_EQ(hit->u, 0.25);
     EXPECT_EQ(hit->v, 0.5);
-    const auto turned = intersect_triangle(ray, kA, kC, kB);
+    const auto turned = triangle_hit(ray, kA, kC, kB);
     ASSERT_TRUE(turned);
     EXPECT_EQ(turned->t, 2);
     EXPECT_EQ(turned->u, 0.5);
@@ -31,7 +35,7 @@ TEST(Triangle, IsHitFromBothSidesInEitherOrientation) {
 TEST(Triangle, EdgesAndVerticesBelongToIt) {
   int hits = 0;
   for (const Point3& target : {kA, kB, kC, Point3{0.5, 0, 0}, Point3{0, 0.5, 0}, Point3{0.5, 0.5, 0}}) {
-    const auto hit = intersect_triangle({{target.x, target.y, 1}, {0, 0, -1}}, kA, kB, kC);
+    const auto hit = triangle_hit({{target.x, target.y, 1}, {0, 0, -1}}, kA, kB, kC);
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->u, target.x);
     EXPECT_EQ(hit->v, target.y);
@@ -41,53 +45,53 @@ TEST(Triangle, EdgesAndVerticesBelongToIt) {
 }
 
 TEST(Triangle, JustBesideAnEdgeIsAMiss) {
-  EXPECT_FALSE(intersect_triangle({{-0x1p-30, 0.5, 1}, {0, 0, -1}}, kA, kB, kC));
-  EXPECT_FALSE(intersect_triangle({{0.5, -0x1p-30, 1}, {0, 0, -1}}, kA, kB, kC));
-  EXPECT_FALSE(intersect_triangle({{0.5, 0.5 + 0x1p-30, 1}, {0, 0, -1}}, kA, kB, kC));
+  EXPECT_FALSE(triangle_hit({{-0x1p-30, 0.5, 1}, {0, 0, -1}}, kA, kB, kC));
+  EXPECT_FALSE(triangle_hit({{0.5, -0x1p-30, 1}, {0, 0, -1}}, kA, kB, kC));
+  EXPECT_FALSE(triangle_hit({{0.5, 0.5 + 0x1p-30, 1}, {0, 0, -1}}, kA, kB, kC));
 }
 
 TEST(Triangle, RangeIsClosedAtBothEnds) {
-  const auto hit = [](double from, double to) { return intersect_triangle({{0.25, 0.25, 4}, {0, 0, -1}, from, to}, kA, kB, kC).has_value(); };
+  const auto hit = [](double from, double to) { return triangle_hit({{0.25, 0.25, 4}, {0, 0, -1}, from, to}, kA, kB, kC).has_value(); };
   EXPECT_TRUE(hit(4, 4));
   EXPECT_FALSE(hit(std::nextafter(4, 5), 10));
   EXPECT_FALSE(hit(0, std::nextafter(4, 3)));
-  EXPECT_FALSE(intersect_triangle({{0.25, 0.25, 4}, {0, 0, 1}}, kA, kB, kC)) << "behind";
-  EXPECT_EQ(intersect_triangle({{0.25, 0.25, 0}, {0, 0, 1}}, kA, kB, kC)->t, 0) << "origin on it";
+  EXPECT_FALSE(triangle_hit({{0.25, 0.25, 4}, {0, 0, 1}}, kA, kB, kC)) << "behind";
+  EXPECT_EQ(triangle_hit({{0.25, 0.25, 0}, {0, 0, 1}}, kA, kB, kC)->t, 0) << "origin on it";
 }
 
 TEST(Triangle, RaysInItsPlaneMiss) {
-  EXPECT_FALSE(intersect_triangle({{-1, 0.25, 0}, {1, 0, 0}}, kA, kB, kC));
-  EXPECT_FALSE(intersect_triangle({{-1, 0, 0}, {1, 0, 0}}, kA, kB, kC)) << "along an edge";
-  EXPECT_FALSE(intersect_triangle({{-1, 0.25, 1}, {1, 0, 0}}, kA, kB, kC)) << "parallel to it";
+  EXPECT_FALSE(triangle_hit({{-1, 0.25, 0}, {1, 0, 0}}, kA, kB, kC));
+  EXPECT_FALSE(triangle_hit({{-1, 0, 0}, {1, 0, 0}}, kA, kB, kC)) << "along an edge";
+  EXPECT_FALSE(triangle_hit({{-1, 0.25, 1}, {1, 0, 0}}, kA, kB, kC)) << "parallel to it";
 }
 
 TEST(Triangle, WithoutAreaIsMissed) {
-  EXPECT_FALSE(intersect_triangle({{0.5, 0, 1}, {0, 0, -1}}, kA, kB, kB));
-  EXPECT_FALSE(intersect_triangle({{0.5, 0, 1}, {0, 0, -1}}, kA, kB, {2, 0, 0}));
-  EXPECT_FALSE(intersect_triangle({{0, 0, 1}, {0, 0, -1}}, kA, kA, kA));
+  EXPECT_FALSE(triangle_hit({{0.5, 0, 1}, {0, 0, -1}}, kA, kB, kB));
+  EXPECT_FALSE(triangle_hit({{0.5, 0, 1}, {0, 0, -1}}, kA, kB, {2, 0, 0}));
+  EXPECT_FALSE(triangle_hit({{0, 0, 1}, {0, 0, -1}}, kA, kA, kA));
 }
 
 TEST(Triangle, RayWithNanHitsNothing) {
   const double nan = std::nan("");
   const Point3 o{0.25, 0.25, 1};
   const Vec3 d{0, 0, -1};
-  EXPECT_TRUE(intersect_triangle({o, d}, kA, kB, kC));
+  EXPECT_TRUE(triangle_hit({o, d}, kA, kB, kC));
   for (int axis = 0; axis < 3; ++axis) {
     Ray ray{o, d};
     ray.origin[axis] = nan;
-    EXPECT_FALSE(intersect_triangle(ray, kA, kB, kC));
+    EXPECT_FALSE(triangle_hit(ray, kA, kB, kC));
     ray = {o, d};
     ray.direction[axis] = nan;
-    EXPECT_FALSE(intersect_triangle(ray, kA, kB, kC));
+    EXPECT_FALSE(triangle_hit(ray, kA, kB, kC));
   }
-  EXPECT_FALSE(intersect_triangle({o, d, nan, 10}, kA, kB, kC));
-  EXPECT_FALSE(intersect_triangle({o, d, 0, nan}, kA, kB, kC));
+  EXPECT_FALSE(triangle_hit({o, d, nan, 10}, kA, kB, kC));
+  EXPECT_FALSE(triangle_hit({o, d, 0, nan}, kA, kB, kC));
 }
 
 TEST(Triangle, TinyAndHugeOnesAreHit) {
   for (const double scale : {1e-30, 1e-8, 1e8, 1e30}) {
     const Ray ray{{0.25 * scale, 0.25 * scale, scale}, {0, 0, -1}};
-    const auto hit = intersect_triangle(ray, kA, {scale, 0, 0}, {0, scale, 0});
+    const auto hit = triangle_hit(ray, kA, {scale, 0, 0}, {0, scale, 0});
     ASSERT_TRUE(hit) << scale;
     EXPECT_DOUBLE_EQ(hit->t, scale);
   }
@@ -97,7 +101,7 @@ TEST(Triangle, TinyAndHugeOnesAreHit) {
 int hits_of(const TriangleMesh& mesh, const Ray& ray) {
   int hits = 0;
   for (const auto& [a, b, c] : mesh.triangles)
-    hits += intersect_triangle(ray, mesh.positions[a], mesh.positions[b], mesh.positions[c]).has_value();
+    hits += triangle_hit(ray, mesh.positions[a], mesh.positions[b], mesh.positions[c]).has_value();
   return hits;
 }
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "renderer/cameras/camera.h"
 
@@ -29,27 +31,31 @@ constexpr std::array kParameters{
     Parameter{.name = "viewHeight", .type = ValueType::number, .meaning = "height of the view window", .presence = Presence::defaulted, .default_text = "1", .range = Range::positive},
 };
 
+/// What rounding may leave of a product of unit vectors that is zero: three products and two sums, each within u, and the vectors' own.
+constexpr double kRounding = 8 * 0x1p-53;
+
+/// The unit vector along a parameter. One whose square would leave the range of doubles is scaled first; others are not, as that would round.
 Vec3 direction(const ObjectDescription& object, std::string_view parameter) {
-  const Vec3 v = object.vector(parameter);
-  if (!is_finite(normalized(v))) {
-    throw InputError(object.where(parameter), "<" + std::string(parameter) + "> has no direction, expected a vector that is not zero and of ordinary length");
-  }
-  return v;
+  Vec3 v = object.vector(parameter);
+  if (v == Vec3{}) throw InputError(object.where(parameter), "<" + std::string(parameter) + "> is zero, expected a direction");
+  const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  if (largest > 0x1p500 || largest < 0x1p-500) v = v / largest;
+  return normalized(v);
 }
 
 std::unique_ptr<Camera> make(const ObjectDescription& object) {
-  const Vec3 view = normalized(direction(object, "viewDir"));
+  const Vec3 view = direction(object, "viewDir");
   const Vec3 up = direction(object, "viewUp");
   const std::string_view plane_given_by = object.has("projNormal") ? "projNormal" : "viewDir";
   const Vec3 normal = direction(object, plane_given_by);
   const double facing = dot(normal, view);
-  if (facing == 0) {
+  if (std::fabs(facing) <= kRounding) {
     throw InputError(object.where("projNormal"), "<projNormal> is perpendicular to viewDir, so the view window is seen edge-on; expected another direction");
   }
   // The plane's normal is turned to point against the view.
-  const Vec3 w = normalized(facing > 0 ? -normal : normal);
+  const Vec3 w = facing > 0 ? -normal : normal;
   const Vec3 across = cross(up, w);
-  if (!(dot(across, across) > 0)) {
+  if (length(across) <= kRounding) {
     throw InputError(object.where("viewUp"), "<viewUp> is parallel to " + std::string(plane_given_by) + ", so nothing is up in the picture; expected another direction");
   }
   const Vec3 u = normalized(across);

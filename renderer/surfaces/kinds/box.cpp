@@ -34,6 +34,7 @@ class Box : public Surface {
       SurfaceHit near{.t = (min_[axis] - o) / d, .part = low_face};
       SurfaceHit far{.t = (max_[axis] - o) / d, .part = low_face + 1};
       if (d < 0) std::swap(near, far);
+      if (!(near.t <= far.t)) return std::nullopt;  // NaN
       if (near.t > enter.t) enter = near;
       if (far.t < leave.t) leave = far;
     }
@@ -59,6 +60,7 @@ class InvertedBox : public Surface {
   InvertedBox(const Point3& min, const Point3& max) : min_(min), max_(max) {}
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters&) const override {
+    if (!is_finite(ray.origin) || !is_finite(ray.direction) || !(ray.t_min <= ray.t_max)) return std::nullopt;
     double start = ray.t_min;
     double end = ray.t_max;
     std::uint32_t axis_of_start = 0;
@@ -97,7 +99,7 @@ class InvertedBox : public Surface {
 constexpr std::array kParameters{
     surface_shader_parameter,
     Parameter{.name = "minPt", .type = ValueType::point, .meaning = "the corner with the smallest coordinates", .presence = Presence::defaulted, .default_text = "0 0 0"},
-    Parameter{.name = "maxPt", .type = ValueType::point, .meaning = "the corner with the largest coordinates", .presence = Presence::defaulted, .default_text = "1 1 1"},
+    Parameter{.name = "maxPt", .type = ValueType::point, .meaning = "the corner with the largest coordinates", .presence = Presence::defaulted, .default_text = "0 0 0"},
 };
 
 std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext& context) {

@@ -49,8 +49,8 @@ class Cone : public Surface {
     Bounds3 box;
     for (const double z : {center_.z - half_, center_.z + half_}) {
       const double radius = slope_ * std::fabs(z - tip_z_);
-      box.extend(bounds_around(world_from_object(Point3{center_.x, center_.y, z}),
-                               disc_extent(world_from_object.matrix(), radius)));
+      const Point3 end{center_.x, center_.y, z};
+      box.extend(bounds_around(world_from_object(end), disc_extent(world_from_object.matrix(), radius), world_from_object.rounding_bound(end)));
     }
     return box;
   }

@@ -35,7 +35,7 @@ class Cylinder : public Surface {
   Bounds3 world_bounds(const Transform& world_from_object) const override {
     const AffineMatrix& m = world_from_object.matrix();
     const Vec3 axis{half_ * std::fabs(m[0][2]), half_ * std::fabs(m[1][2]), half_ * std::fabs(m[2][2])};
-    return bounds_around(world_from_object(center_), axis + disc_extent(m, radius_));
+    return bounds_around(world_from_object(center_), axis + disc_extent(m, radius_), world_from_object.rounding_bound(center_));
   }
 
  private:

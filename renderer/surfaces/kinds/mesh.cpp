@@ -21,8 +21,9 @@ class Mesh : public Surface {
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters& counters) const override {
     std::optional<SurfaceHit> closest;
     Ray rest = ray;
+    const ShearedRay sheared(rest);
     accelerator_.walk(rest, counters, [&](std::uint32_t triangle) {
-      const std::optional<TriangleHit> hit = test(rest, triangle, counters);
+      const std::optional<TriangleHit> hit = test(sheared, triangle, counters);
       if (hit && (!closest || hit->t < closest->t || triangle < closest->part)) {
         closest = SurfaceHit{hit->t, hit->u, hit->v, triangle};
         rest.t_max = hit->t;
@@ -33,7 +34,8 @@ class Mesh : public Surface {
   }
 
   bool blocks(const Ray& ray, TraceCounters& counters) const override {
-    return accelerator_.walk(ray, counters, [&](std::uint32_t triangle) { return test(ray, triangle, counters).has_value(); });
+    const ShearedRay sheared(ray);
+    return accelerator_.walk(ray, counters, [&](std::uint32_t triangle) { return test(sheared, triangle, counters).has_value(); });
   }
 
   /// Interpolated where the file gives normals, else the triangle's own.
@@ -55,7 +57,7 @@ class Mesh : public Surface {
   }
 
  private:
-  std::optional<TriangleHit> test(const Ray& ray, std::uint32_t triangle, TraceCounters& counters) const {
+  std::optional<TriangleHit> test(const ShearedRay& ray, std::uint32_t triangle, TraceCounters& counters) const {
     ++counters.primitive_tests;
     const auto [a, b, c] = mesh_->triangles[triangle];
     return intersect_triangle(ray, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);

@@ -29,7 +29,7 @@ class Sphere : public Surface {
     const auto extent = [&](std::size_t i) {
       return radius_ * std::sqrt(m[i][0] * m[i][0] + m[i][1] * m[i][1] + m[i][2] * m[i][2]);
     };
-    return bounds_around(world_from_object(center_), {extent(0), extent(1), extent(2)});
+    return bounds_around(world_from_object(center_), {extent(0), extent(1), extent(2)}, world_from_object.rounding_bound(center_));
   }
 
  private:

@@ -36,9 +36,10 @@ void closest_hit(benchmark::State& state, Accel accel) {
   std::size_t i = 0;
   for (auto _ : state) {
     Ray ray = grid_ray(i++);
+    const ShearedRay sheared(ray);
     accelerator.walk(ray, counters, [&](std::uint32_t triangle) {
       const auto [a, b, c] = mesh.triangles[triangle];
-      if (const auto hit = intersect_triangle(ray, mesh.positions[a], mesh.positions[b], mesh.positions[c])) ray.t_max = hit->t;
+      if (const auto hit = intersect_triangle(sheared, mesh.positions[a], mesh.positions[b], mesh.positions[c])) ray.t_max = hit->t;
       return false;
     });
     benchmark::DoNotOptimize(ray.t_max);

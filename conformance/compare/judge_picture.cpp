@@ -69,8 +69,8 @@ PictureJudgement judge_picture(const std::filesystem::path& file, const Picture&
   try {
     const PictureHeader header = read_picture_header(file);
     if ((header.format == PictureFormat::exr) != reference.is_linear()) {
-      throw InputError({file.string()}, "this is " + to_string(header.format) + ", which cannot be compared with a reference in " +
-                                            to_string(reference.format) + "; expected both linear (EXR) or both in 8-bit levels (PNG, PPM)");
+      throw BadPicture(to_string(header.format) + " cannot be compared with a reference in " + to_string(reference.format) +
+                       ", expected both linear (EXR) or both in 8-bit levels (PNG, PPM)");
     }
     if (header.width != reference.width || header.height != reference.height) {
       judgement.result = fault("wrong_size", fmt::format("the picture is {}x{}, expected {}x{}", header.width, header.height, reference.width, reference.height),

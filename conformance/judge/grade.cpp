@@ -37,12 +37,11 @@ void check_request(const GradeRequest& request) {
     if (lies_in(c.reference, request.submission)) throw InputError({c.reference.string()}, "this reference lies inside the submission, which would see it");
     read_reference(c.reference);  // a broken one is found now, not in the middle of a class
   }
-  require_programs(request.suite);
 }
 
 class Grader {
  public:
-  explicit Grader(const GradeRequest& request) : request_(request), suite_(request.suite), results_(request.out), selected_(selected_cases()) {}
+  explicit Grader(const GradeRequest& request) : request_(request), suite_(request.suite), results_(request.out, request.plumb_version), selected_(selected_cases(suite_, request.filter)) {}
 
   ResultSet run() {
     set_.suite_id = suite_.id;
@@ -53,10 +52,11 @@ class Grader {
     set_.plumb_version = request_.plumb_version;
     for (const SuiteCase& c : suite_.cases) set_.cases.push_back(blank_result(c));
 
-    const std::optional<CheckResult> fault = prepare();
+    const std::optional<CheckResult> fault = prepare_safely();
     for (const std::size_t i : run_order(suite_)) {
       if (!selected_.contains(i)) continue;
       CaseResult& result = set_.cases[i];
+      result.internal_message = prepare_message_;
       if (fault) result.check = *fault;
       else judge(suite_.cases[i], result);
       settle_points(suite_.cases[i], result);
@@ -68,6 +68,18 @@ class Grader {
   }
 
  private:
+  /// A file of the submission that we cannot read, say, ends in results that wait for a person, not in none.
+  std::optional<CheckResult> prepare_safely() {
+    try {
+      return prepare();
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::exception& error) {
+      prepare_message_ = error.what();
+      return internal_error();
+    }
+  }
+
   /// Copy, choice of the runner and build. Returns what went wrong for all cases.
   std::optional<CheckResult> prepare() {
     try {
@@ -76,7 +88,8 @@ class Grader {
     } catch (const InputError& error) {
       return all_fail(error.what(), "check what was handed in against the assignment's list of files");
     }
-    for (const std::string& name : workspace_.left_out()) set_.notes.push_back("left out, as it is no ordinary file: " + name);
+    if (uses_suite_runner_) require_programs(suite_);
+    note_left_out();
     if (!runner_.build.empty()) request_.progress("building");
     std::optional<CheckResult> fault = build_submission(suite_, runner_, workspace_, results_);
     if (fault && fault->cause == "interrupted") fault->verdict = Verdict::skipped;
@@ -84,15 +97,23 @@ class Grader {
     return fault;
   }
 
+  void note_left_out() {
+    const Workspace::LeftOut& left_out = workspace_.left_out();
+    if (left_out.pictures > 0) set_.notes.push_back(fmt::format("{} picture{} of the submission left out", left_out.pictures, left_out.pictures == 1 ? "" : "s"));
+    for (const std::string& name : left_out.not_ordinary) set_.notes.push_back("left out, as it is no ordinary file: " + name);
+  }
+
   void choose_runner() {
     const fs::path own = workspace_.build() / "submission.toml";
     if (!suite_.own_runner) {
       if (fs::exists(own)) set_.notes.push_back("submission.toml was not read: the suite holds the commands");
       runner_ = suite_.runner;
+      uses_suite_runner_ = true;
     } else if (fs::exists(own)) {
       runner_ = own_runner(own);
     } else if (suite_.has_runner) {
       runner_ = suite_.runner;
+      uses_suite_runner_ = true;
     } else {
       throw InputError({}, "there is no submission.toml, which says how to build and run this submission");
     }
@@ -130,6 +151,11 @@ class Grader {
   }
 
   void judge(const SuiteCase& c, CaseResult& result) {
+    const double seconds_left = suite_.total_seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (seconds_left <= 0) {
+      result.check = stop(Verdict::timeout, "budget_spent", "the time for all cases together was spent", "make the slow cases faster");
+      return;
+    }
     for (const std::size_t p : c.prerequisites) {
       const CaseResult& prerequisite = set_.cases[p];
       if (is_right(prerequisite.check.verdict)) continue;
@@ -137,19 +163,21 @@ class Grader {
       result.pending = prerequisite.pending;
       return;
     }
-    const double seconds_left = suite_.total_seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
     if (interrupt_flag()) {
       result.check = stop(Verdict::skipped, "interrupted", "grading was interrupted", "grade again");
-    } else if (seconds_left <= 0) {
-      result.check = stop(Verdict::timeout, "budget_spent", "the time for all cases together was spent", "make the slow cases faster");
     } else {
       request_.progress(c.id);
       try {
         run_case(c, runner_, workspace_, seconds_left, results_, result);
       } catch (const std::exception& error) {  // our fault: it goes to a person, and the other cases go on
-        result.check = stop(Verdict::internal_error, "internal", error.what(), "a person has to look at this case; it costs no points");
+        result.check = internal_error();
+        result.internal_message = error.what();
       }
     }
+  }
+
+  static CheckResult internal_error() {
+    return stop(Verdict::internal_error, "internal", "a fault of the grader, not of the submission (see usage.json)", "a person has to look at this case; it costs no points");
   }
 
   static CheckResult stop(Verdict verdict, const std::string& cause, const std::string& summary, const std::string& advice) {
@@ -167,21 +195,6 @@ class Grader {
     result.points = is_right(result.check.verdict) ? c.points : 0;
   }
 
-  /// The cases that match the filter, and what they require.
-  std::set<std::size_t> selected_cases() const {
-    std::set<std::size_t> selected;
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < suite_.cases.size(); ++i)
-      if (request_.filter.empty() || ::fnmatch(request_.filter.c_str(), suite_.cases[i].id.c_str(), 0) == 0) open.push_back(i);
-    if (open.empty()) throw InputError({}, "--filter: no case of the suite matches '" + request_.filter + "'");
-    while (!open.empty()) {
-      const std::size_t i = open.back();
-      open.pop_back();
-      if (selected.insert(i).second) open.insert(open.end(), suite_.cases[i].prerequisites.begin(), suite_.cases[i].prerequisites.end());
-    }
-    return selected;
-  }
-
   void keep_selected() {
     std::vector<CaseResult> kept;
     for (const std::size_t i : selected_) kept.push_back(std::move(set_.cases[i]));
@@ -195,6 +208,8 @@ class Grader {
   std::set<std::size_t> selected_;
   Workspace workspace_;
   Runner runner_;
+  bool uses_suite_runner_ = false;
+  std::string prepare_message_;
   ResultSet set_;
 };
 
@@ -213,6 +228,20 @@ std::vector<std::size_t> run_order(const Suite& suite) {
   };
   for (const std::size_t i : by_cost) place(place, i);
   return order;
+}
+
+std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filter) {
+  std::set<std::size_t> selected;
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < suite.cases.size(); ++i)
+    if (filter.empty() || ::fnmatch(filter.c_str(), suite.cases[i].id.c_str(), 0) == 0) open.push_back(i);
+  if (open.empty()) throw InputError({}, "--filter: no case of the suite matches '" + filter + "'");
+  while (!open.empty()) {
+    const std::size_t i = open.back();
+    open.pop_back();
+    if (selected.insert(i).second) open.insert(open.end(), suite.cases[i].prerequisites.begin(), suite.cases[i].prerequisites.end());
+  }
+  return selected;
 }
 
 ResultSet grade(const GradeRequest& request) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 
 #include "conformance/judge/suite.h"
@@ -30,6 +31,9 @@ struct GradeRequest {
 /// Throws InputError for what the caller got wrong: the submission is no folder, the results would lie inside it or it inside them, a filter that
 /// matches nothing, a program of the suite's commands that is not installed.
 ResultSet grade(const GradeRequest& request);
+
+/// The places of the cases whose id matches a GLOB (all for an empty one), and of those that they require. Throws InputError if none matches.
+std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filter);
 
 /// The places of the cases in the order that they are run in.
 std::vector<std::size_t> run_order(const Suite& suite);

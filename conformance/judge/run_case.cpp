@@ -75,7 +75,7 @@ void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& work
   const RunOutcome run = run_process(request);
   result.run = run;
   result.measured_margin = measured_margin(suite_case, run);
-  for (const auto& input : suite_case.inputs) result.hashes.emplace_back(input.filename().string(), file_hash(input));
+  for (const auto& input : suite_case.inputs) result.input_hashes.emplace_back(input.filename().string(), file_hash(input));
   const std::filesystem::path evidence = results.case_folder(suite_case.id);
   write_file_staged(evidence / "log.txt", run.log);
 
@@ -86,7 +86,7 @@ void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& work
   } else {
     const ImageCheck check = check_image({suite_case, run, folder.run, paths.output, evidence});
     result.check = check.result;
-    result.hashes.insert(result.hashes.end(), check.hashes.begin(), check.hashes.end());
+    result.hashes = check.hashes;
   }
 }
 

@@ -55,6 +55,8 @@ Runner read_runner_fields(TomlFields& fields) {
   runner.output = fields.text("output", runner.output);
   check_placeholders(fields, "output", runner.output, kOutputNames);
   require_inner_path(fields, "output", runner.output);
+  const std::string ending = fs::path(runner.output).extension().string();
+  if (ending != ".png" && ending != ".exr" && ending != ".ppm") fields.fail("output", "is '" + runner.output + "', expected a picture: .png, .exr or .ppm");
   runner.scene_at = fields.text("scene_at", "");
   if (!runner.scene_at.empty()) require_inner_path(fields, "scene_at", runner.scene_at);
   return runner;

@@ -25,7 +25,7 @@ bool is_picture(const fs::path& file) {
 }
 
 /// Regular files and folders, with permissions that let us read, write and remove the copy; the rest goes to `left_out`.
-void copy_tree(const fs::path& from, const fs::path& to, const fs::path& name, std::vector<std::string>& left_out) {
+void copy_tree(const fs::path& from, const fs::path& to, const fs::path& name, Workspace::LeftOut& left_out) {
   fs::create_directories(to);
   for (const auto& entry : fs::directory_iterator(from)) {
     const fs::path target = to / entry.path().filename();
@@ -33,11 +33,13 @@ void copy_tree(const fs::path& from, const fs::path& to, const fs::path& name, s
     const fs::file_status status = entry.symlink_status();
     if (fs::is_directory(status)) {
       copy_tree(entry.path(), target, entry_name, left_out);
+    } else if (fs::is_regular_file(status) && is_picture(entry_name)) {
+      ++left_out.pictures;
     } else if (fs::is_regular_file(status)) {
       fs::copy_file(entry.path(), target, fs::copy_options::overwrite_existing);
       fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write, fs::perm_options::add);
     } else {
-      left_out.push_back(entry_name.generic_string());
+      left_out.not_ordinary.push_back(entry_name.generic_string());
     }
   }
 }
@@ -70,7 +72,7 @@ void remove_tree(const fs::path& folder) {
   }
 }
 
-/// Links to what is in `from`, but no pictures: those that are handed in are stale.
+/// Links to what is in `from`, but to no picture that the build may have made.
 void link_entries(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::directory_iterator(from))
     if (!is_picture(entry.path())) fs::create_symlink(entry.path(), to / entry.path().filename());
@@ -105,7 +107,7 @@ Workspace::~Workspace() { remove_tree(root_); }
 void Workspace::copy_submission(const fs::path& submission, const Suite& suite) {
   const fs::path top = suite.root_marker.empty() ? submission : find_root(submission, suite.root_marker);
   copy_tree(top, build_, "", left_out_);
-  std::vector<std::string> staff_left_out;
+  LeftOut staff_left_out;
   if (!suite.overlay.empty()) copy_tree(suite.overlay, build_, "", staff_left_out);
 }
 
@@ -130,7 +132,7 @@ Workspace::State Workspace::state_of(const fs::path& folder) const {
     struct stat facts {};
     if (::lstat(it->path().c_str(), &facts) != 0) continue;
     std::string text = fmt::format("{} {}", facts.st_mode, facts.st_ino);
-    if (S_ISREG(facts.st_mode)) text += fmt::format(" {} {}.{}", facts.st_size, facts.st_mtim.tv_sec, facts.st_mtim.tv_nsec);
+    if (S_ISREG(facts.st_mode)) text += fmt::format(" {} {}.{}", facts.st_size, facts.st_ctim.tv_sec, facts.st_ctim.tv_nsec);
     if (S_ISLNK(facts.st_mode)) text += " " + fs::read_symlink(it->path()).string();
     state.emplace(it->path().lexically_relative(folder).string(), text);
   }

@@ -19,10 +19,16 @@ class Workspace {
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
-  /// Copies the submission: from the folder that the suite's root_marker starts from (the first, nearest to the top), with the overlay's files over it. Links
-  /// and special files are left out and named in `left_out`. Throws InputError if the root is not found.
+  /// What of a submission is not copied: pictures, which are stale, and links and special files, by name.
+  struct LeftOut {
+    int pictures = 0;
+    std::vector<std::string> not_ordinary;
+  };
+
+  /// Copies the submission: from the folder that the suite's root_marker starts from (the first, nearest to the top), with the overlay's files over it.
+  /// Throws InputError if the root is not found.
   void copy_submission(const std::filesystem::path& submission, const Suite& suite);
-  const std::vector<std::string>& left_out() const { return left_out_; }
+  const LeftOut& left_out() const { return left_out_; }
 
   /// The copy, in which the build runs.
   const std::filesystem::path& build() const { return build_; }
@@ -41,7 +47,8 @@ class Workspace {
   CaseFolder make_case_folder(const SuiteCase& suite_case, const Runner& runner);
 
  private:
-  /// What a file of the build is known by: size, time of last change, permissions; the target of a link.
+  /// What a file of the build is known by: size, the time it was last changed in any way (ctime, which no program can set), permissions;
+  /// the target of a link.
   using State = std::map<std::string, std::string>;
   State state_of(const std::filesystem::path& folder) const;
 
@@ -49,7 +56,7 @@ class Workspace {
   std::filesystem::path build_;
   std::filesystem::path sealed_copy_;
   State sealed_;
-  std::vector<std::string> left_out_;
+  LeftOut left_out_;
 };
 
 /// The folder from which `marker` is found: `top` itself, or the one nearest below it. Throws InputError if there is none.

@@ -23,12 +23,15 @@ struct CaseResult {
   bool pending = false;
   /// Left out of the totals, by the suite's rule for skipped cases.
   bool excluded = false;
-  /// SHA-256 of what went in and came out, by name.
+  /// SHA-256 of the input files by name, and of `reference` and `picture` as far as they were looked at.
+  std::vector<std::pair<std::string, std::string>> input_hashes;
   std::vector<std::pair<std::string, std::string>> hashes;
   /// What repeats this case.
   std::string repeat;
   /// The run, where there was one; everything in it was measured.
   std::optional<RunOutcome> run;
+  /// For internal_error: what went wrong, with the paths and whatever else differs from machine to machine.
+  std::string internal_message;
   /// Distance to a limit of time or memory; stands beside the measurements.
   std::optional<double> measured_margin;
 };

@@ -33,7 +33,7 @@ Json evidence_json(const Evidence& evidence) {
   return json;
 }
 
-Json case_json(const CaseResult& c) {
+Json case_json(const CaseResult& c, const std::string& plumb_version) {
   Json json;
   json["schema"] = kSchema;
   json["id"] = c.id;
@@ -50,8 +50,10 @@ Json case_json(const CaseResult& c) {
   json["summary"] = c.check.summary;
   json["advice"] = c.check.advice;
   json["evidence"] = evidence_json(c.check.evidence);
-  json["hashes"] = Json::object();
+  json["hashes"]["inputs"] = Json::object();
+  for (const auto& [name, hash] : c.input_hashes) json["hashes"]["inputs"][name] = hash;
   for (const auto& [name, hash] : c.hashes) json["hashes"][name] = hash;
+  json["versions"] = {{"plumb", plumb_version}};
   json["seed"] = Json();  // nothing random decides an image case
   json["repeat"] = c.repeat;
   return json;
@@ -78,6 +80,7 @@ Json usage_json(const CaseResult& c) {
     json["log_bytes_dropped"] = run.log_bytes_dropped;
     json["active_limits"] = run.active_limits;
   }
+  if (!c.internal_message.empty()) json["internal_message"] = c.internal_message;
   if (c.measured_margin) json["margin"] = number(*c.measured_margin);
   json["host"] = {{"name", host_name()}, {"processors", std::thread::hardware_concurrency()}};
   return json;
@@ -110,7 +113,7 @@ bool may_be_replaced(const fs::path& dir) {
 
 }  // namespace
 
-ResultFolder::ResultFolder(fs::path dir) : dir_(std::move(dir)) {
+ResultFolder::ResultFolder(fs::path dir, std::string plumb_version) : dir_(std::move(dir)), plumb_version_(std::move(plumb_version)) {
   if (!dir_.has_filename()) dir_ = dir_.parent_path();
   if (!may_be_replaced(dir_)) throw InputError({dir_.string()}, "holds something that is no result set and would be lost, expected a new folder or an earlier result");
   partial_ = dir_;
@@ -119,6 +122,11 @@ ResultFolder::ResultFolder(fs::path dir) : dir_(std::move(dir)) {
   fs::remove_all(partial_, error);
   fs::create_directories(partial_, error);
   if (error) throw InputError({partial_.string()}, "cannot make the folder for the results: " + error.message());
+}
+
+ResultFolder::~ResultFolder() {
+  std::error_code ignored;
+  if (!fs::exists(partial_ / "cases", ignored)) fs::remove_all(partial_, ignored);
 }
 
 fs::path ResultFolder::case_folder(const std::string& id) const {
@@ -135,7 +143,7 @@ fs::path ResultFolder::build_folder() const {
 
 void ResultFolder::write_case(const CaseResult& result) const {
   const fs::path folder = case_folder(result.id);
-  write_json(folder / "case.json", case_json(result));
+  write_json(folder / "case.json", case_json(result, plumb_version_));
   write_json(folder / "usage.json", usage_json(result));
 }
 

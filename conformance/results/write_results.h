@@ -10,7 +10,11 @@ namespace plumb {
 class ResultFolder {
  public:
   /// Throws InputError if DIR is there and is no result set (it would be replaced), or `DIR.partial` cannot be made.
-  explicit ResultFolder(std::filesystem::path dir);
+  ResultFolder(std::filesystem::path dir, std::string plumb_version);
+  /// A `DIR.partial` in which no case was judged goes; any other stays for whoever looks for what was lost.
+  ~ResultFolder();
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
 
   /// Where files of a case belong beside its case.json; made on the way.
   std::filesystem::path case_folder(const std::string& id) const;
@@ -26,6 +30,7 @@ class ResultFolder {
  private:
   std::filesystem::path dir_;
   std::filesystem::path partial_;
+  std::string plumb_version_;
 };
 
 }  // namespace plumb

@@ -92,6 +92,10 @@ TEST_F(HarvestTest, RefusesASymbolicLinkOnTheWay) {
   write("elsewhere/file", "x");
   std::filesystem::create_symlink("../elsewhere", out_ / "sub");
   expect_refused(harvest_from_out("sub/file"), HarvestStatus::link);
+  std::filesystem::create_directory(out_ / "inside");
+  write("out/inside/file", "x");
+  std::filesystem::create_symlink("inside", out_ / "alias");
+  expect_refused(harvest_from_out("alias/file"), HarvestStatus::link);
   std::filesystem::create_symlink("elsewhere", folder_ / "replaced");
   expect_refused(harvest(folder_ / "replaced", "file", 10, destination_), HarvestStatus::link);
 }

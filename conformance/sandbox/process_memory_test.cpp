@@ -1,13 +1,14 @@
 #include "conformance/sandbox/process_memory.h"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <vector>
+
+#include "conformance/sandbox/run_fixture.h"
 
 namespace plumb {
 namespace {
@@ -61,15 +62,11 @@ TEST(MemoryOf, IsNothingForAZombie) {
 TEST(MemoryWithoutSharing, CountsAForkedPageOnce) {
   const std::int64_t before = memory_without_sharing(std::vector{self()});
   const Block block(200 * kMega, MAP_PRIVATE);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    for (;;) ::pause();
-  }
+  const pid_t child = start_waiting_child();
   const std::vector both{self(), read_process_stat(child).value()};
   EXPECT_GE(memory_of(both[0]).counted + memory_of(both[1]).counted, 400 * kMega) << "the quick sum";
   EXPECT_NEAR(static_cast<double>(memory_without_sharing(both) - before), 200.0 * kMega, kSlack);
-  ::kill(child, SIGKILL);
-  EXPECT_EQ(::waitpid(child, nullptr, 0), child);
+  end_child(child);
 }
 
 TEST(OwnResidentBytes, GrowsWithWhatIsTouched) {

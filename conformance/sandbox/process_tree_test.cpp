@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "conformance/sandbox/run_fixture.h"
+
 namespace plumb {
 namespace {
 
@@ -51,20 +53,12 @@ TEST(ReadProcessStat, KnowsThisProcess) {
   EXPECT_FALSE(read_process_stat(-1));
 }
 
+/// This process adopts orphans meanwhile, so that nothing escapes the tests.
 class ProcessTreeTest : public testing::Test {
  protected:
-  /// A child that waits for its end, below it another one if `deep`; both die with this process.
-  static pid_t start(bool deep = false) {
-    const pid_t child = ::fork();
-    if (child != 0) return child;
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (deep && ::fork() == 0) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (;;) ::pause();
-  }
-  static void end(pid_t child) {
-    ::kill(child, SIGKILL);
-    EXPECT_EQ(::waitpid(child, nullptr, 0), child);
-  }
+  ProcessTreeTest() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
+  ~ProcessTreeTest() override { ::prctl(PR_SET_CHILD_SUBREAPER, 0); }
+
   /// Looks until `count` processes are there: a child's fork takes its time.
   static std::vector<ProcessStat> scan_until(ProcessTree& tree, std::size_t count) {
     std::vector<ProcessStat> found;
@@ -73,34 +67,42 @@ class ProcessTreeTest : public testing::Test {
   }
 };
 
-TEST_F(ProcessTreeTest, FindsDescendantsParentsFirst) {
+TEST_F(ProcessTreeTest, FindsDescendantsParentsFirstAndKeepsOrphans) {
   ProcessTree tree;
   EXPECT_TRUE(tree.scan().empty());
-  const pid_t child = start(true);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    start_waiting_child();
+    wait_for_the_end();
+  }
   const std::vector<ProcessStat> found = scan_until(tree, 2);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].id.pid, child);
   EXPECT_EQ(found[1].parent, child);
-  end(child);
-  // Not adopted here, the grandchild ends by itself, yet it stays known while it is there.
-  EXPECT_TRUE(scan_until(tree, 0).empty());
+  end_child(child);
+  // The grandchild was adopted here. It may be dying of its parent's death, but it is not gone before a wait.
+  const std::vector<ProcessStat> orphan = tree.scan();
+  ASSERT_EQ(orphan.size(), 1u);
+  EXPECT_EQ(orphan[0].id, found[1].id);
+  EXPECT_EQ(orphan[0].parent, ::getpid());
+  end_child(found[1].id.pid);
+  EXPECT_TRUE(tree.scan().empty());
 }
 
 TEST_F(ProcessTreeTest, SkipsOlderProcessesAndTheirNewChildren) {
-  const pid_t older = start();
+  const pid_t older = start_waiting_child();
   ProcessTree tree;
-  const pid_t newer = start();
+  const pid_t newer = start_waiting_child();
   const std::vector<ProcessStat> found = tree.scan();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].id.pid, newer);
-  end(newer);
-  end(older);
+  end_child(newer);
+  end_child(older);
 }
 
 TEST_F(ProcessTreeTest, SkipsWhatAnOlderProcessStartsLater) {
   const pid_t older = ::fork();
   if (older == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     sigset_t go;
     int signal = 0;
     ::sigemptyset(&go);
@@ -108,31 +110,33 @@ TEST_F(ProcessTreeTest, SkipsWhatAnOlderProcessStartsLater) {
     ::sigprocmask(SIG_BLOCK, &go, nullptr);
     ::raise(SIGSTOP);
     ::sigwait(&go, &signal);
-    start();
-    for (;;) ::pause();
+    start_waiting_child();
+    wait_for_the_end();
   }
   ASSERT_EQ(::waitpid(older, nullptr, WUNTRACED), older);
   ProcessTree tree;
   ::kill(older, SIGCONT);
   ::kill(older, SIGUSR1);
   // Looked for in another way, the new one is found.
-  bool started = false;
-  for (int i = 0; i < 10'000 && !started; ++i) {
+  pid_t started = 0;
+  for (int i = 0; i < 10'000 && started == 0; ++i) {
     EXPECT_TRUE(tree.scan().empty());
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       const auto stat = read_process_stat(static_cast<pid_t>(std::atol(entry.path().filename().c_str())));
-      started = started || (stat && stat->parent == older);
+      if (stat && stat->parent == older) started = stat->id.pid;
     }
   }
-  EXPECT_TRUE(started);
+  ASSERT_NE(started, 0);
   EXPECT_TRUE(tree.scan().empty());
-  end(older);
+  end_child(older);
+  EXPECT_TRUE(tree.scan().empty()) << "adopted here now, it is still not one of the run";
+  end_child(started);
 }
 
 TEST_F(ProcessTreeTest, SendsASignalToAllThatItFinds) {
   ProcessTree tree;
-  const pid_t first = start();
-  const pid_t second = start();
+  const pid_t first = start_waiting_child();
+  const pid_t second = start_waiting_child();
   EXPECT_EQ(tree.scan(SIGKILL).size(), 2u);
   int status = 0;
   EXPECT_EQ(::waitpid(first, &status, 0), first);
@@ -142,7 +146,7 @@ TEST_F(ProcessTreeTest, SendsASignalToAllThatItFinds) {
 }
 
 TEST_F(ProcessTreeTest, SendsNoSignalToAnotherProcessOfThatNumber) {
-  const pid_t child = start();
+  const pid_t child = start_waiting_child();
   const auto stat = read_process_stat(child);
   ASSERT_TRUE(stat);
   EXPECT_FALSE(send_signal({child, stat->id.start + 1}, SIGKILL));

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,12 +11,34 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "conformance/sandbox/run_process.h"
 
 namespace plumb {
+
+/// Ends the calling process, a forked one, when its parent dies, and at the latest when no test runs any more.
+[[noreturn]] inline void wait_for_the_end() {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::sleep(100);
+  ::_exit(0);
+}
+
+/// Forks a child that only waits to be killed, and leaves nothing behind should the test be killed first.
+inline pid_t start_waiting_child() {
+  const pid_t child = ::fork();
+  if (child == 0) wait_for_the_end();
+  return child;
+}
+
+/// Kills and waits for a child.
+inline void end_child(pid_t child) {
+  ::kill(child, SIGKILL);
+  EXPECT_EQ(::waitpid(child, nullptr, 0), child);
+}
 
 /// A new empty folder for the time of a test.
 class FolderTest : public testing::Test {

@@ -184,15 +184,10 @@ TEST_F(RunProcessTest, RefusesRequestsThatMakeNoSense) {
 }
 
 TEST_F(RunProcessTest, LeavesOlderChildrenAlone) {
-  const pid_t older = ::fork();
-  if (older == 0) {
-    ::pause();
-    ::_exit(0);
-  }
+  const pid_t older = start_waiting_child();
   EXPECT_EQ(run_process(subject({"daemon"})).reason, StopReason::exited);
   EXPECT_EQ(::waitpid(older, nullptr, WNOHANG), 0) << "it must be running and not be waited for";
-  ::kill(older, SIGKILL);
-  EXPECT_EQ(::waitpid(older, nullptr, 0), older);
+  end_child(older);
 }
 
 TEST_F(RunProcessTest, PutsTheCallerBackAsItWas) {

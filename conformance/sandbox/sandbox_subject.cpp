@@ -57,7 +57,7 @@ pid_t fork_or_die() {
   return child;
 }
 
-/// Leaves its session and its parent.
+/// Leaves its session and parent.
 void daemonise() {
   if (fork_or_die() != 0) ::_exit(0);
   ::setsid();
@@ -105,7 +105,7 @@ int burn_as_daemon(Arguments) {  // The leader sleeps.
 }
 
 int burn_without_descriptors(Arguments) {
-  for (int i = 0; i < 1024; ++i) ::close(i);
+  ::close_range(0, ~0U, 0);
   burn(kForEver);
   return 0;
 }
@@ -208,8 +208,7 @@ int write_files(Arguments a) {  // files, kilobytes each; then it waits
 }
 
 int write_sparse(Arguments) {
-  const int file = ::open("sparse", O_WRONLY | O_CREAT, 0644);
-  return ::ftruncate(file, off_t{1} << 40) == 0 ? 0 : 1;
+  return ::ftruncate(::open("sparse", O_WRONLY | O_CREAT, 0644), off_t{1} << 40) == 0 ? 0 : 1;
 }
 
 int print_state(Arguments) {  // open descriptors, session, signals, limits: what a program inherits

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "conformance/judge/grade.h"
@@ -27,9 +28,9 @@ struct Arguments {
 };
 
 /// The longest that the cases may take, by their limits.
-double longest_seconds(const Suite& suite) {
+double longest_seconds(const Suite& suite, const std::set<std::size_t>& cases) {
   double seconds = suite.build_seconds;
-  for (const SuiteCase& c : suite.cases) seconds += c.wall_seconds;
+  for (const std::size_t i : cases) seconds += suite.cases[i].wall_seconds;
   return std::min(seconds, suite.total_seconds);
 }
 
@@ -52,7 +53,8 @@ int run(const Arguments& arguments) {
   const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
   if (on_terminal) request.progress = [](const std::string& what) { fmt::print(stderr, "\r\x1b[K{} ...", what); };
 
-  fmt::print("Suite {}: {} cases, at most {:.0f} s.\n", request.suite.id, request.suite.cases.size(), longest_seconds(request.suite));
+  const std::set<std::size_t> cases = selected_cases(request.suite, request.filter);
+  fmt::print("Suite {}: {} case{}, at most {:.0f} s.\n", request.suite.id, cases.size(), cases.size() == 1 ? "" : "s", longest_seconds(request.suite, cases));
   fmt::print("not isolated: run only programs you trust\n\n");
   std::fflush(stdout);
   stop_on_signals();

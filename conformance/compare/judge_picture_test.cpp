@@ -149,6 +149,7 @@ TEST_F(JudgePictureTest, CutPicturesOfOtherFormatsAreBad) {
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const CheckResult result = judge(file("cut.exr", whole.substr(0, size)), 0);
     EXPECT_EQ(result.cause, "bad_picture") << size << " bytes: " << result.summary;
+    EXPECT_THAT(result.summary, Not(HasSubstr(folder_.string()))) << size << " bytes";
   }
 }
 

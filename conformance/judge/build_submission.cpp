@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -55,8 +56,11 @@ CheckResult build_fault(const std::string& summary, const std::string& advice) {
   return result;
 }
 
-bool is_installed(const std::string& program) {
-  std::istringstream path(search_path());
+bool is_installed(const std::string& program, const Runner& runner) {
+  std::string folders = search_path();
+  for (const auto& [name, value] : runner.env)
+    if (name == "PATH") folders = value;
+  std::istringstream path(folders);
   for (std::string folder; std::getline(path, folder, ':');)
     if (::access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
   return false;
@@ -73,10 +77,12 @@ std::vector<std::string> environment(const Runner& runner, const fs::path& home)
   return result;
 }
 
-std::optional<CheckResult> build_submission(const Suite& suite, const Runner& runner, const Workspace& workspace, const ResultFolder& results) {
+std::optional<CheckResult> build_submission(const BuildRequest& build) {
+  const auto& [suite, runner, workspace, results, total_left] = build;
   std::string log;
   std::optional<CheckResult> fault;
-  double seconds_left = suite.build_seconds;
+  const double build_seconds = std::max(std::min(suite.build_seconds, total_left), 0.01);
+  double seconds_left = build_seconds;
   const fs::path home = workspace.build().parent_path() / "build-home";
   fs::create_directories(home);
   for (const std::vector<std::string>& command : runner.build) {
@@ -95,7 +101,7 @@ std::optional<CheckResult> build_submission(const Suite& suite, const Runner& ru
     log += "$ " + joined(request.arguments) + "\n" + run.log;
     seconds_left = std::max(seconds_left - run.wall_seconds, 0.01);
     if (run.reason == StopReason::exited && run.exit_code == 0) continue;
-    fault = build_fault(fmt::format("the build failed: '{}' {}", command.front(), reason_text(run, suite.build_seconds)), "read build/log.txt, and try the same command yourself");
+    fault = build_fault(fmt::format("the build failed: '{}' {}", command.front(), reason_text(run, build_seconds)), "read build/log.txt, and try the same command yourself");
     if (run.reason == StopReason::interrupted) fault->cause = "interrupted";
     break;
   }
@@ -108,7 +114,7 @@ void require_programs(const Suite& suite) {
   std::vector<std::vector<std::string>> commands = suite.runner.build;
   commands.push_back(suite.runner.render);
   for (const std::vector<std::string>& command : commands) {
-    if (command.front().find('/') != std::string::npos || is_installed(command.front())) continue;
+    if (command.front().find('/') != std::string::npos || is_installed(command.front(), suite.runner)) continue;
     throw InputError({suite.file.string()}, "'" + command.front() + "', which [runner] needs, is not installed; nothing was graded");
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "renderer/math/input_error.h"
 
@@ -25,16 +26,20 @@ std::string filled(std::string text, const CasePaths& paths) {
   return text;
 }
 
-bool parts_match(std::vector<fs::path>::const_iterator glob, std::vector<fs::path>::const_iterator glob_end,
-                 std::vector<fs::path>::const_iterator path, std::vector<fs::path>::const_iterator path_end) {
-  if (glob == glob_end) return path == path_end;
-  if (*glob == "**") {
-    for (auto rest = path;; ++rest) {
-      if (parts_match(glob + 1, glob_end, rest, path_end)) return true;
-      if (rest == path_end) return false;
+/// By a table over (part of the glob, part of the path), so that many `**` cost no more than their product.
+bool parts_match(const std::vector<fs::path>& glob, const std::vector<fs::path>& path) {
+  // reached[j]: whether the parts of the glob so far match the first j parts of the path.
+  std::vector<bool> reached(path.size() + 1, false);
+  reached[0] = true;
+  for (const fs::path& part : glob) {
+    std::vector<bool> next(path.size() + 1, false);
+    for (std::size_t j = 0; j <= path.size(); ++j) {
+      if (part == "**") next[j] = reached[j] || (j > 0 && next[j - 1]);
+      else if (j > 0) next[j] = reached[j - 1] && ::fnmatch(part.c_str(), path[j - 1].c_str(), 0) == 0;
     }
+    reached = std::move(next);
   }
-  return path != path_end && ::fnmatch(glob->c_str(), path->c_str(), 0) == 0 && parts_match(glob + 1, glob_end, path + 1, path_end);
+  return reached.back();
 }
 
 std::vector<std::string> matching_files(const std::string& glob, const fs::path& folder) {
@@ -43,7 +48,7 @@ std::vector<std::string> matching_files(const std::string& glob, const fs::path&
     const fs::path relative = entry.path().lexically_relative(folder);
     if (!entry.is_regular_file() || !glob_matches(glob, relative)) continue;
     const std::string name = relative.generic_string();
-    files.push_back(name.starts_with('-') ? "./" + name : name);
+    files.push_back(name.starts_with('-') || name.starts_with('@') ? "./" + name : name);
   }
   if (files.empty()) throw InputError({}, "no file of the submission matches '" + glob + "'");
   std::ranges::sort(files);
@@ -83,9 +88,7 @@ std::vector<std::string> build_command(const std::vector<std::string>& command, 
 }
 
 bool glob_matches(const fs::path& glob, const fs::path& path) {
-  const std::vector<fs::path> glob_parts(glob.begin(), glob.end());
-  const std::vector<fs::path> path_parts(path.begin(), path.end());
-  return parts_match(glob_parts.begin(), glob_parts.end(), path_parts.begin(), path_parts.end());
+  return parts_match({glob.begin(), glob.end()}, {path.begin(), path.end()});
 }
 
 }  // namespace plumb

@@ -128,5 +128,18 @@ TEST(RenderCommand, FillsInEveryPlaceholder) {
               ElementsAre("./t", "data/ball.xml", "-odata/ball.xml.png", "data:ball.xml", "data/ball.xmldata/ball.xml", "{ }", "{"));
 }
 
+TEST(GlobMatches, ManyDoubleStarsAreNotExponential) {
+  std::string glob, path;
+  for (int i = 0; i < 20; ++i) glob += "**/";
+  for (int i = 0; i < 60; ++i) path += "d/";
+  EXPECT_FALSE(glob_matches(glob + "x.c", path + "y.c"));
+  EXPECT_TRUE(glob_matches(glob + "y.c", path + "y.c"));
+}
+
+TEST_F(BuildCommandTest, ANameThatLooksLikeAnArgumentFileIsNone) {
+  make("@x.java");
+  EXPECT_THAT(build_command({"{sources:*.java}"}, folder_), ElementsAre("./@x.java"));
+}
+
 }  // namespace
 }  // namespace plumb

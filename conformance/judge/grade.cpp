@@ -24,9 +24,18 @@ using Clock = std::chrono::steady_clock;
 
 /// Whether `inner` is `outer` or lies in it, links followed.
 bool lies_in(const fs::path& inner, const fs::path& outer) {
-  const fs::path a = fs::weakly_canonical(inner);
-  const fs::path b = fs::weakly_canonical(outer);
+  const fs::path a = fs::weakly_canonical(fs::absolute(inner));
+  const fs::path b = fs::weakly_canonical(fs::absolute(outer));
   return std::mismatch(b.begin(), b.end(), a.begin(), a.end()).first == b.end();
+}
+
+/// Quoted where a shell would read something into it.
+std::string shell_word(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/-") == std::string::npos;
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 void check_request(const GradeRequest& request) {
@@ -91,14 +100,23 @@ class Grader {
     if (uses_suite_runner_) require_programs(suite_);
     note_left_out();
     if (!runner_.build.empty()) request_.progress("building");
-    std::optional<CheckResult> fault = build_submission(suite_, runner_, workspace_, results_);
+    std::optional<CheckResult> fault = build_submission({suite_, runner_, workspace_, results_, seconds_left()});
     if (fault && fault->cause == "interrupted") fault->verdict = Verdict::skipped;
-    if (!fault) workspace_.seal_build();
-    return fault;
+    return fault ? fault : seal();
+  }
+
+  /// A build that leaves pipes, or takes its own folder away, cannot be kept: its own fault.
+  std::optional<CheckResult> seal() {
+    try {
+      workspace_.seal_build();
+      return std::nullopt;
+    } catch (const fs::filesystem_error&) {
+      return all_fail("the build left something behind that is no ordinary file or folder, or removed its own folder", "let the build write ordinary files only, below the folder it starts in");
+    }
   }
 
   void note_left_out() {
-    const Workspace::LeftOut& left_out = workspace_.left_out();
+    const LeftOut& left_out = workspace_.left_out();
     if (left_out.pictures > 0) set_.notes.push_back(fmt::format("{} picture{} of the submission left out", left_out.pictures, left_out.pictures == 1 ? "" : "s"));
     for (const std::string& name : left_out.not_ordinary) set_.notes.push_back("left out, as it is no ordinary file: " + name);
   }
@@ -146,35 +164,38 @@ class Grader {
     result.requirement = c.requirement;
     result.visibility = c.visibility;
     result.max_points = c.points;
-    result.repeat = fmt::format("plumb grade {} --suite {} --filter {}", fs::weakly_canonical(request_.submission).filename().string(), suite_.file.filename().string(), c.id);
+    result.repeat = fmt::format("plumb grade {} --suite {} --filter {}", shell_word(fs::weakly_canonical(request_.submission).filename().string()),
+                                shell_word(suite_.file.filename().string()), c.id);
     return result;
   }
 
   void judge(const SuiteCase& c, CaseResult& result) {
-    const double seconds_left = suite_.total_seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
-    if (seconds_left <= 0) {
+    if (interrupt_flag()) {
+      result.check = stop(Verdict::skipped, "interrupted", "grading was interrupted", "grade again");
+      return;
+    }
+    if (seconds_left() <= 0) {
       result.check = stop(Verdict::timeout, "budget_spent", "the time for all cases together was spent", "make the slow cases faster");
       return;
     }
     for (const std::size_t p : c.prerequisites) {
       const CaseResult& prerequisite = set_.cases[p];
       if (is_right(prerequisite.check.verdict)) continue;
-      result.check = stop(Verdict::skipped, "prerequisite", "not judged: '" + prerequisite.id + "' comes first", "fix '" + prerequisite.id + "' first");
+      result.check = stop(Verdict::skipped, "prerequisite", "not judged: '" + prerequisite.id + "' comes first",
+                          prerequisite.pending ? "a person has to look at '" + prerequisite.id + "' first" : "fix '" + prerequisite.id + "' first");
       result.pending = prerequisite.pending;
       return;
     }
-    if (interrupt_flag()) {
-      result.check = stop(Verdict::skipped, "interrupted", "grading was interrupted", "grade again");
-    } else {
-      request_.progress(c.id);
-      try {
-        run_case(c, runner_, workspace_, seconds_left, results_, result);
-      } catch (const std::exception& error) {  // our fault: it goes to a person, and the other cases go on
-        result.check = internal_error();
-        result.internal_message = error.what();
-      }
+    request_.progress(c.id);
+    try {
+      run_case(c, runner_, workspace_, seconds_left(), results_, result);
+    } catch (const std::exception& error) {  // our fault: it goes to a person, and the other cases go on
+      result.check = internal_error();
+      result.internal_message = error.what();
     }
   }
+
+  double seconds_left() const { return suite_.total_seconds - std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
   static CheckResult internal_error() {
     return stop(Verdict::internal_error, "internal", "a fault of the grader, not of the submission (see usage.json)", "a person has to look at this case; it costs no points");

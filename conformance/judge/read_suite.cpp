@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A pebibyte: far beyond any machine, and far from overflow.
+constexpr std::int64_t kMostMegabytes = std::int64_t{1} << 30;
+
 constexpr std::array<std::string_view, 3> kSkippedNames{"zero", "excluded", "manual"};
 constexpr std::array<std::string_view, 4> kVisibilities{"visible", "hidden", "after_due_date", "after_published"};
 constexpr std::array<std::string_view, 1> kKinds{"image"};
@@ -46,12 +49,13 @@ class SuiteReader {
   explicit SuiteReader(const fs::path& file) : table_(read_toml(file)), folder_(fs::absolute(file).parent_path()) { suite_.file = file; }
 
   Suite read() {
+    check_top_level_keys();
     TomlFields top(table_, suite_.file, "the suite");
     read_suite_table(table_of(top, "suite"));
     if (top.has("runner")) read_runner_table(table_of(top, "runner"));
     if (!suite_.has_runner && !suite_.own_runner) top.fail("runner", "is missing, expected a table with 'render', or own_runner = true in [suite]");
     read_cases(top);
-    check_top_level_keys();
+    check_overlay();
     suite_.hash = suite_hash(suite_);
     return std::move(suite_);
   }
@@ -66,7 +70,7 @@ class SuiteReader {
   void read_suite_table(const toml::table& table) {
     TomlFields fields(table, suite_.file, "[suite]");
     suite_.id = plain_name(fields, "id");
-    if (fields.integer("schema", 0, 0) != 1) fields.fail("schema", "must be 1, the version of this format");
+    if (fields.integer("schema", 0, 0, 1000) != 1) fields.fail("schema", "must be 1, the version of this format");
     suite_.dialect = fields.text("dialect", "");
     suite_.variants = fields.texts("variants");
     suite_.total_seconds = fields.number("total_seconds", suite_.total_seconds, 1);
@@ -79,14 +83,15 @@ class SuiteReader {
   void read_runner_table(const toml::table& table) {
     TomlFields fields(table, suite_.file, "[runner]");
     // A suite whose submissions bring their own commands may still say where their root is and how long a build may take.
-    suite_.has_runner = fields.has("render") || !suite_.own_runner;
+    suite_.has_runner = fields.has("render") || fields.has("build") || !suite_.own_runner;
     if (suite_.has_runner) suite_.runner = read_runner_fields(fields);
     suite_.root_marker = fields.text("root_marker", "");
     if (!suite_.root_marker.empty()) require_inner_path(fields, "root_marker", suite_.root_marker);
     suite_.build_seconds = fields.number("build_seconds", suite_.build_seconds, 1);
     if (fields.has("overlay")) {
-      suite_.overlay = folder_ / fields.text("overlay");
-      if (!fs::is_directory(suite_.overlay)) fields.fail("overlay", "names a folder that does not exist: '" + suite_.overlay.string() + "'");
+      const std::string overlay = fields.text("overlay");
+      suite_.overlay = (folder_ / overlay).lexically_normal();
+      if (overlay.empty() || !fs::is_directory(suite_.overlay)) fields.fail("overlay", "names a folder that does not exist: '" + suite_.overlay.string() + "'");
     }
     fields.finish();
   }
@@ -140,8 +145,8 @@ class SuiteReader {
     c.tolerance = fields.number("tolerance", c.tolerance, 0);
     c.cpu_seconds = fields.number("cpu_seconds", c.cpu_seconds, 0.01);
     c.wall_seconds = fields.number("wall_seconds", 3 * c.cpu_seconds, 0.01);
-    c.memory_mb = fields.integer("memory_mb", c.memory_mb, 1);
-    c.output_mb = fields.integer("output_mb", c.output_mb, 1);
+    c.memory_mb = fields.integer("memory_mb", c.memory_mb, 1, kMostMegabytes);
+    c.output_mb = fields.integer("output_mb", c.output_mb, 1, kMostMegabytes);
     c.visibility = one_of(fields, "visibility", c.visibility, kVisibilities);
     read_inputs(fields, c);
     std::vector<std::string> requires_ids = fields.texts("requires");
@@ -157,6 +162,20 @@ class SuiteReader {
     std::set<fs::path> names;
     for (const fs::path& input : c.inputs)
       if (!names.insert(input.filename()).second) fields.fail("inputs", "holds two files named '" + input.filename().string() + "'");
+    if (std::ranges::any_of(c.inputs, [&](const fs::path& input) { return fs::equivalent(input, c.reference); })) {
+      fields.fail("inputs", "holds the reference, which the submission must not see");
+    }
+  }
+
+  /// Staff files replace those of a submission, so each has to be a file that can be copied, and no reference.
+  void check_overlay() const {
+    if (suite_.overlay.empty()) return;
+    for (const auto& entry : fs::recursive_directory_iterator(suite_.overlay)) {
+      const SourceLocation where{suite_.file.string()};
+      if (entry.is_symlink() || (!entry.is_regular_file() && !entry.is_directory())) throw InputError(where, "the overlay holds '" + entry.path().string() + "', which is no ordinary file");
+      for (const SuiteCase& c : suite_.cases)
+        if (entry.is_regular_file() && fs::equivalent(entry.path(), c.reference)) throw InputError(where, "the overlay holds the reference '" + c.reference.string() + "', which the submission must not see");
+    }
   }
 
   fs::path existing_file(const TomlFields& fields, std::string_view key, const std::string& name) const {

@@ -47,7 +47,24 @@ std::optional<CheckResult> verdict_of_stop(const SuiteCase& c, const RunOutcome&
   throw std::logic_error("unknown stop reason");
 }
 
-std::optional<double> measured_margin(const SuiteCase& c, const RunOutcome& run) {
+/// Whether the run left the build as it was; a build that is beyond repair makes every later case find the same.
+bool build_changed(Workspace& workspace) {
+  try {
+    return !workspace.check_build();
+  } catch (const LostBuild&) {
+    return true;
+  }
+}
+
+std::int64_t size_of_inputs(const SuiteCase& suite_case) {
+  std::int64_t bytes = 0;
+  for (const auto& input : suite_case.inputs) bytes += static_cast<std::int64_t>(std::filesystem::file_size(input));
+  return bytes;
+}
+
+/// Only where the case's own limit was passed: what the suite's time for all cases cut short has no margin of its own.
+std::optional<double> measured_margin(const SuiteCase& c, const RunOutcome& run, bool cut_by_budget) {
+  if (cut_by_budget && run.reason == StopReason::wall_limit) return std::nullopt;
   switch (run.reason) {
     case StopReason::cpu_limit: return c.cpu_seconds - run.cpu_seconds;
     case StopReason::wall_limit: return c.wall_seconds - run.wall_seconds;
@@ -59,6 +76,10 @@ std::optional<double> measured_margin(const SuiteCase& c, const RunOutcome& run)
 }  // namespace
 
 void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& workspace, double seconds_left, const ResultFolder& results, CaseResult& result) {
+  if (build_changed(workspace)) {  // by an earlier case, beyond repair
+    result.check = stopped(Verdict::security, "build_changed", "an earlier case destroyed the build", "write only beside the scene or where the assignment says");
+    return;
+  }
   const Workspace::CaseFolder folder = workspace.make_case_folder(suite_case, runner);
   const CasePaths paths = case_paths(runner, suite_case);
   std::filesystem::remove(folder.run / paths.output);  // an input of that name would be taken for the picture
@@ -71,15 +92,15 @@ void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& work
   request.limits = {.cpu_seconds = suite_case.cpu_seconds,
                     .wall_seconds = std::min(suite_case.wall_seconds, seconds_left),
                     .memory_bytes = suite_case.memory_mb << 20,
-                    .output_bytes = suite_case.output_mb << 20};
+                    .output_bytes = (suite_case.output_mb << 20) + size_of_inputs(suite_case)};
   const RunOutcome run = run_process(request);
   result.run = run;
-  result.measured_margin = measured_margin(suite_case, run);
+  result.measured_margin = measured_margin(suite_case, run, budget_is_shorter);
   for (const auto& input : suite_case.inputs) result.input_hashes.emplace_back(input.filename().string(), file_hash(input));
   const std::filesystem::path evidence = results.case_folder(suite_case.id);
   write_file_staged(evidence / "log.txt", run.log);
 
-  if (!workspace.check_build()) {
+  if (build_changed(workspace)) {
     result.check = stopped(Verdict::security, "build_changed", "the program changed its own build, which later cases would have run", "write only beside the scene or where the assignment says");
   } else if (const auto stop = verdict_of_stop(suite_case, run, budget_is_shorter)) {
     result.check = *stop;
@@ -88,6 +109,7 @@ void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& work
     result.check = check.result;
     result.hashes = check.hashes;
   }
+  workspace.remove_case_folder(folder);
 }
 
 }  // namespace plumb

@@ -34,7 +34,7 @@ void check_placeholders(const TomlFields& fields, std::string_view key, std::str
 }
 
 void check_build(const TomlFields& fields, const std::vector<std::string>& command) {
-  if (command.empty()) fields.fail("build", "holds an empty command, expected [\"program\", \"argument\"]");
+  if (command.empty() || command.front().empty()) fields.fail("build", "holds an empty command, expected [\"program\", \"argument\"]");
   for (const std::string& argument : command) {
     if (argument.starts_with(kSources) && argument.ends_with('}')) continue;
     if (argument.find(kSources) != std::string::npos) fields.fail("build", "holds '" + argument + "', expected {sources:GLOB} as an argument of its own");
@@ -49,7 +49,7 @@ Runner read_runner_fields(TomlFields& fields) {
   runner.build = fields.text_lists("build");
   for (const auto& command : runner.build) check_build(fields, command);
   runner.render = fields.texts("render");
-  if (runner.render.empty()) fields.fail("render", "is missing or empty, expected [\"program\", \"{scene}\"]");
+  if (runner.render.empty() || runner.render.front().empty()) fields.fail("render", "is missing or empty, expected [\"program\", \"{scene}\"]");
   for (const std::string& argument : runner.render) check_placeholders(fields, "render", argument, kRenderNames);
   runner.env = fields.text_table("env");
   runner.output = fields.text("output", runner.output);

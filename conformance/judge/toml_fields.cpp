@@ -64,7 +64,7 @@ std::string TomlFields::text(std::string_view key, std::string_view otherwise) {
   const toml::node* node = find(key);
   if (!node) return std::string(otherwise);
   if (!node->is_string()) fail(key, "is no text, expected \"...\"");
-  return node->as_string()->get();
+  return checked(node->as_string()->get(), *node);
 }
 
 bool TomlFields::flag(std::string_view key, bool otherwise) {
@@ -74,10 +74,12 @@ bool TomlFields::flag(std::string_view key, bool otherwise) {
   return node->as_boolean()->get();
 }
 
-std::int64_t TomlFields::integer(std::string_view key, std::int64_t otherwise, std::int64_t least) {
+std::int64_t TomlFields::integer(std::string_view key, std::int64_t otherwise, std::int64_t least, std::int64_t most) {
   const toml::node* node = find(key);
   if (!node) return otherwise;
-  if (!node->is_integer() || node->as_integer()->get() < least) fail(key, "is not a whole number of at least " + std::to_string(least));
+  if (!node->is_integer() || node->as_integer()->get() < least || node->as_integer()->get() > most) {
+    fail(key, "is not a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
   return node->as_integer()->get();
 }
 
@@ -89,13 +91,18 @@ double TomlFields::number(std::string_view key, double otherwise, double least) 
   return *value;
 }
 
+std::string TomlFields::checked(const std::string& text, const toml::node& node) const {
+  if (text.find('\0') != std::string::npos) throw InputError(location(file_, node), "this text holds a zero byte, which no command or file name can");
+  return text;
+}
+
 std::vector<std::string> TomlFields::texts_of(std::string_view key, const toml::node& node) const {
   const toml::array* array = node.as_array();
   if (!array) fail(key, "is no list, expected [\"...\", \"...\"]");
   std::vector<std::string> texts;
   for (const toml::node& item : *array) {
     if (!item.is_string()) throw InputError(location(file_, item), "an item of " + in_quotes(key) + " is no text, expected \"...\"");
-    texts.push_back(item.as_string()->get());
+    texts.push_back(checked(item.as_string()->get(), item));
   }
   return texts;
 }
@@ -126,7 +133,7 @@ std::vector<std::pair<std::string, std::string>> TomlFields::text_table(std::str
   std::vector<std::pair<std::string, std::string>> entries;
   for (const auto& [name, value] : *table) {
     if (!value.is_string()) throw InputError(location(file_, value), in_quotes(name.str()) + " is no text, expected \"...\"");
-    entries.emplace_back(name.str(), value.as_string()->get());
+    entries.emplace_back(name.str(), checked(value.as_string()->get(), value));
   }
   return entries;
 }

@@ -22,7 +22,7 @@ class TomlFields {
   std::string text(std::string_view key);
   std::string text(std::string_view key, std::string_view otherwise);
   bool flag(std::string_view key, bool otherwise);
-  std::int64_t integer(std::string_view key, std::int64_t otherwise, std::int64_t least);
+  std::int64_t integer(std::string_view key, std::int64_t otherwise, std::int64_t least, std::int64_t most);
   /// Finite and at least `least`.
   double number(std::string_view key, double otherwise, double least);
   std::vector<std::string> texts(std::string_view key);
@@ -39,6 +39,7 @@ class TomlFields {
 
  private:
   const toml::node* find(std::string_view key);
+  std::string checked(const std::string& text, const toml::node& node) const;
   std::vector<std::string> texts_of(std::string_view key, const toml::node& node) const;
 
   const toml::table& table_;

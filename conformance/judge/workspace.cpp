@@ -4,45 +4,19 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <set>
 #include <system_error>
 
+#include "conformance/judge/copy_tree.h"
 #include "renderer/math/input_error.h"
-#include "renderer/math/nearest_name.h"
 
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_picture(const fs::path& file) {
-  constexpr std::array<std::string_view, 9> kEndings{".png", ".ppm", ".exr", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff"};
-  return std::ranges::any_of(kEndings, [&](std::string_view ending) { return equal_ignoring_case(file.extension().string(), ending); });
-}
-
-/// Regular files and folders, with permissions that let us read, write and remove the copy; the rest goes to `left_out`.
-void copy_tree(const fs::path& from, const fs::path& to, const fs::path& name, Workspace::LeftOut& left_out) {
-  fs::create_directories(to);
-  for (const auto& entry : fs::directory_iterator(from)) {
-    const fs::path target = to / entry.path().filename();
-    const fs::path entry_name = name / entry.path().filename();
-    const fs::file_status status = entry.symlink_status();
-    if (fs::is_directory(status)) {
-      copy_tree(entry.path(), target, entry_name, left_out);
-    } else if (fs::is_regular_file(status) && is_picture(entry_name)) {
-      ++left_out.pictures;
-    } else if (fs::is_regular_file(status)) {
-      fs::copy_file(entry.path(), target, fs::copy_options::overwrite_existing);
-      fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write, fs::perm_options::add);
-    } else {
-      left_out.not_ordinary.push_back(entry_name.generic_string());
-    }
-  }
-}
 
 void set_writable(const fs::path& folder, bool writable) {
   const auto set = [&](const fs::path& path) {
@@ -72,6 +46,12 @@ void remove_tree(const fs::path& folder) {
   }
 }
 
+fs::path new_folder() {
+  std::string name = (fs::temp_directory_path() / "plumb-XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make a working folder " + name);
+  return fs::canonical(name);
+}
+
 /// Links to what is in `from`, but to no picture that the build may have made.
 void link_entries(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::directory_iterator(from))
@@ -94,21 +74,20 @@ void make_real(const fs::path& run, const fs::path& build, const fs::path& relat
 
 }  // namespace
 
-Workspace::Workspace() {
-  std::string name = (fs::temp_directory_path() / "plumb-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make a working folder " + name);
-  root_ = fs::canonical(name);
+Workspace::Workspace() : root_(new_folder()), sealed_root_(new_folder()) {
   build_ = root_ / "build";
-  sealed_copy_ = root_ / "sealed";
+  sealed_copy_ = sealed_root_ / "build";
 }
 
-Workspace::~Workspace() { remove_tree(root_); }
+Workspace::~Workspace() {
+  remove_tree(root_);
+  remove_tree(sealed_root_);
+}
 
 void Workspace::copy_submission(const fs::path& submission, const Suite& suite) {
   const fs::path top = suite.root_marker.empty() ? submission : find_root(submission, suite.root_marker);
-  copy_tree(top, build_, "", left_out_);
-  LeftOut staff_left_out;
-  if (!suite.overlay.empty()) copy_tree(suite.overlay, build_, "", staff_left_out);
+  left_out_ = copy_tree(top, build_, Pictures::leave_out);
+  if (!suite.overlay.empty()) copy_tree(suite.overlay, build_, Pictures::copy);
 }
 
 void Workspace::seal_build() {
@@ -120,6 +99,7 @@ void Workspace::seal_build() {
 bool Workspace::check_build() {
   if (fs::is_directory(fs::symlink_status(build_)) && state_of(build_) == sealed_) return true;
   remove_tree(build_);
+  if (!fs::is_directory(sealed_copy_)) throw LostBuild("the sealed copy of the build is gone");
   fs::copy(sealed_copy_, build_, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
   set_writable(build_, false);
   sealed_ = state_of(build_);
@@ -163,6 +143,8 @@ Workspace::CaseFolder Workspace::make_case_folder(const SuiteCase& suite_case, c
   }
   return folder;
 }
+
+void Workspace::remove_case_folder(const CaseFolder& folder) { remove_tree(folder.all); }
 
 fs::path find_root(const fs::path& top, const std::string& marker) {
   std::vector<fs::path> level{top};

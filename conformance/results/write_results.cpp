@@ -1,8 +1,14 @@
 #include "conformance/results/write_results.h"
 
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -107,8 +113,15 @@ void write_json(const fs::path& file, const Json& json) {
   write_file_staged(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+/// Whether the folder is one that write_results made: its results.json names a schema and a suite.
+bool is_result_set(const fs::path& dir) {
+  std::ifstream stream(dir / "results.json");
+  const Json json = Json::parse(stream, nullptr, false);
+  return json.is_object() && json.contains("schema") && json.contains("suite");
+}
+
 bool may_be_replaced(const fs::path& dir) {
-  return !fs::exists(fs::symlink_status(dir)) || (fs::is_directory(dir) && (fs::is_empty(dir) || fs::exists(dir / "results.json")));
+  return !fs::exists(fs::symlink_status(dir)) || (fs::is_directory(fs::symlink_status(dir)) && (fs::is_empty(dir) || is_result_set(dir)));
 }
 
 }  // namespace
@@ -116,12 +129,14 @@ bool may_be_replaced(const fs::path& dir) {
 ResultFolder::ResultFolder(fs::path dir, std::string plumb_version) : dir_(std::move(dir)), plumb_version_(std::move(plumb_version)) {
   if (!dir_.has_filename()) dir_ = dir_.parent_path();
   if (!may_be_replaced(dir_)) throw InputError({dir_.string()}, "holds something that is no result set and would be lost, expected a new folder or an earlier result");
-  partial_ = dir_;
-  partial_ += ".partial";
   std::error_code error;
-  fs::remove_all(partial_, error);
-  fs::create_directories(partial_, error);
-  if (error) throw InputError({partial_.string()}, "cannot make the folder for the results: " + error.message());
+  if (dir_.has_parent_path()) fs::create_directories(dir_.parent_path(), error);
+  std::string partial = dir_.string() + ".partial-XXXXXX";
+  if (error || !::mkdtemp(partial.data())) {
+    throw InputError({dir_.string()}, "cannot make the folder for the results: " + (error ? error.message() : std::strerror(errno)));
+  }
+  partial_ = partial;
+  fs::permissions(partial_, fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
 }
 
 ResultFolder::~ResultFolder() {
@@ -149,13 +164,11 @@ void ResultFolder::write_case(const CaseResult& result) const {
 
 void ResultFolder::finish(const ResultSet& results) const {
   write_json(partial_ / "results.json", results_json(results));
-  // An older set steps aside first and goes last: at no moment is there none.
-  fs::path older = dir_;
-  older += ".older";
-  fs::remove_all(older);
-  if (fs::exists(dir_)) fs::rename(dir_, older);
-  fs::rename(partial_, dir_);
-  fs::remove_all(older);
+  if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, dir_.c_str(), RENAME_EXCHANGE) == 0) {
+    fs::remove_all(partial_);  // the older set now has that name
+  } else {
+    fs::rename(partial_, dir_);  // there is none, or the file system cannot exchange
+  }
 }
 
 }  // namespace plumb

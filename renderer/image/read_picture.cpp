@@ -27,12 +27,20 @@ ChannelOrder channel_order(const OIIO::ImageSpec& spec) {
   return order;
 }
 
+/// What the library says, without the folder that the file lies in: such texts are kept with results.
+std::string said(const OIIO::ImageInput& input, const std::filesystem::path& file) {
+  std::string text = input.geterror();
+  const std::string path = file.string();
+  for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) text.replace(at, path.size(), file.filename().string());
+  return text;
+}
+
 /// Samples of every channel, unsigned integers brought to levels 0 to 255 and floats left alone.
-std::vector<float> read_channels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, PictureFormat format) {
+std::vector<float> read_channels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, PictureFormat format, const std::filesystem::path& file) {
   const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                             static_cast<std::size_t>(spec.nchannels);
   const auto read = [&](OIIO::TypeDesc type, void* to) {
-    if (!input.read_image(0, 0, 0, spec.nchannels, type, to)) throw BadPicture("it is damaged: " + input.geterror());
+    if (!input.read_image(0, 0, 0, spec.nchannels, type, to)) throw BadPicture("it is damaged: " + said(input, file));
   };
   std::vector<float> samples(count);
   if (format == PictureFormat::exr) {
@@ -49,6 +57,9 @@ std::vector<float> read_channels(OIIO::ImageInput& input, const OIIO::ImageSpec&
   return samples;
 }
 
+/// An EXR file may name thousands of channels, each of which would take the picture's size in memory.
+constexpr int kMostChannels = 16;
+
 }  // namespace
 
 Picture read_picture(const std::filesystem::path& file) {
@@ -60,13 +71,13 @@ Picture read_picture(const std::filesystem::path& file) {
   OIIO::ImageSpec spec;
   OIIO::ImageSpec wish;
   wish.attribute("oiio:UnassociatedAlpha", 1);
-  if (!input->open(file.string(), spec, wish)) throw BadPicture("it cannot be decoded: " + input->geterror());
-  if (spec.width != header.width || spec.height != header.height || spec.depth > 1 || spec.nchannels < 1 || spec.deep) {
+  if (!input->open(file.string(), spec, wish)) throw BadPicture("it cannot be decoded: " + said(*input, file));
+  if (spec.width != header.width || spec.height != header.height || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > kMostChannels || spec.deep) {
     throw BadPicture("its content does not fit its header");
   }
 
   Picture picture{header.format, header.width, header.height, {}, false};
-  const std::vector<float> channels = read_channels(*input, spec, header.format);
+  const std::vector<float> channels = read_channels(*input, spec, header.format, file);
   const ChannelOrder order = channel_order(spec);
   const float opaque = picture.is_linear() ? 1.0F : 255.0F;
   const std::size_t stride = static_cast<std::size_t>(spec.nchannels);

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -57,7 +59,7 @@ void print_json(const PictureJudgement& judgement, const Arguments& arguments) {
       json["channels"][kChannels[c]] = {{"max", channel.max}, {"mean", channel.mean}, {"rms", channel.rms}, {"share_past_tolerance", channel.share_past}};
     }
   }
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 /// A reference that is invalid is as wrong an answer as an invalid picture: exit status 1, not a usage error.
@@ -71,10 +73,18 @@ std::optional<PictureJudgement> judge_reference(const std::string& file) {
     PictureJudgement judgement;
     judgement.result.verdict = Verdict::fail;
     judgement.result.cause = "bad_picture";
-    judgement.result.summary = fmt::format("{}: the picture cannot be used: {}", file, error.what());
+    judgement.result.summary = fmt::format("the reference cannot be used: {}", error.what());
     return judgement;
   }
   return std::nullopt;
+}
+
+/// CLI11's form of a check: what is wrong, or nothing.
+std::string parse_tolerance(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc{} && end == text.data() + text.size() && std::isfinite(value) && value >= 0;
+  return good ? "" : "'" + text + "' is no tolerance, expected a number of at least 0";
 }
 
 int run(const Arguments& arguments) {
@@ -96,12 +106,14 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_diff_command(CLI::App& app, Action& action) {
+  // CLI11's own check lets NaN pass, against which nothing is different.
+  const CLI::Validator not_negative([](std::string& text) { return parse_tolerance(text); }, "NUMBER >= 0", "tolerance");
   CLI::App* command = app.add_subcommand("diff", "Compare two pictures (PNG, EXR, PPM): exit status 0 if they are the same");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("picture", a.picture, "The picture to judge")->required()->type_name("A");
   command->add_option("reference", a.reference, "The picture it should be")->required()->type_name("B");
-  command->add_option("--tolerance", a.tolerance, "Largest channel difference that counts as the same: 8-bit levels, or linear for EXR")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_option("--tolerance", a.tolerance, "Largest channel difference that counts as the same: 8-bit levels, or linear for EXR")->check(not_negative)->capture_default_str();
   command->add_option("--out", a.out, "Write an amplified heat map of the difference")->type_name("FILE.png");
   command->add_flag("--json", a.json, "Print the result as JSON");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });

@@ -115,6 +115,7 @@ TEST_F(DiffCommandTest, WhatCannotBeComparedIsAUsageError) {
       {"a.png b.png extra", ""},
       {"a.png b.png --tolerance -1", "tolerance"},
       {"a.png b.png --tolerance x", "tolerance"},
+      {"b.png a.png --tolerance nan", "tolerance"},
       {"a.png b.png --tolerence 1", ""},
       {"a.png b.png --out heat.txt", "expected .png or .exr"},
       {"a.png b.png --out gone/heat.png", "does not exist"},

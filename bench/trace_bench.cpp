@@ -1,5 +1,5 @@
-// What a ray costs by the size of the mesh, by both ways to search: the hierarchy's time must grow far more slowly. CPU time; the sizes and the
-// two ways run in one process, so that their ratios mean something.
+// What a ray costs by the size of the mesh, by both ways to search: the hierarchy's time must grow far more slowly. CPU
+// time; the sizes and the two ways run in one process, so that their ratios mean something.
 
 #include <benchmark/benchmark.h>
 
@@ -39,13 +39,15 @@ void closest_hit(benchmark::State& state, Accel accel) {
     const ShearedRay sheared(ray);
     accelerator.walk(ray, counters, [&](std::uint32_t triangle) {
       const auto [a, b, c] = mesh.triangles[triangle];
-      if (const auto hit = intersect_triangle(sheared, mesh.positions[a], mesh.positions[b], mesh.positions[c])) ray.t_max = hit->t;
+      if (const auto hit = intersect_triangle(sheared, mesh.positions[a], mesh.positions[b], mesh.positions[c]))
+        ray.t_max = hit->t;
       return false;
     });
     benchmark::DoNotOptimize(ray.t_max);
   }
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
-  state.counters["nodes/ray"] = benchmark::Counter(static_cast<double>(counters.node_visits), benchmark::Counter::kAvgIterations);
+  state.counters["nodes/ray"] =
+      benchmark::Counter(static_cast<double>(counters.node_visits), benchmark::Counter::kAvgIterations);
 }
 
 void build(benchmark::State& state) {

@@ -39,14 +39,14 @@ int exit_status(std::span<const Verdict> verdicts);
 using EvidenceValue = std::variant<std::int64_t, double, std::string>;
 using Evidence = std::vector<std::pair<std::string, EvidenceValue>>;
 
-/// What a check found. No time or memory that was measured, no host and no absolute path stands in it: those belong to the
-/// run's usage, so that the same subject gives the same result.
+/// What a check found. No time or memory that was measured, no host and no absolute path stands in it: those belong to
+/// the run's usage, so that the same subject gives the same result.
 struct CheckResult {
   Verdict verdict = Verdict::internal_error;
   /// Why, in one word that does not change: `no_picture`, `wrong_size`, `cpu_time`; empty for a plain pass.
   std::string cause;
-  /// The signed distance to the threshold, positive on the right side, in the threshold's unit; nothing where the check did not get so
-  /// far, or the distance is a measured time or memory.
+  /// The signed distance to the threshold, positive on the right side, in the threshold's unit; nothing where the check
+  /// did not get so far, or the distance is a measured time or memory.
   std::optional<double> margin;
   Evidence evidence;
   /// The evidence in one line, for people.

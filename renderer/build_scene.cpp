@@ -22,7 +22,8 @@ constexpr int kDeepestShader = 1000;
 
 class SceneBuilder {
  public:
-  SceneBuilder(const SceneDescription& description, const MeshTable& meshes, const BuildOptions& options, std::vector<std::string>& warnings)
+  SceneBuilder(const SceneDescription& description, const MeshTable& meshes, const BuildOptions& options,
+               std::vector<std::string>& warnings)
       : description_(*description.scene), options_(options), context_{meshes, options.accel, warnings} {}
 
   Scene build() {
@@ -33,9 +34,11 @@ class SceneBuilder {
     contents_.min_contribution = overrides.min_contribution.value_or(description_.number("minContribution"));
     contents_.fresnel = options_.fresnel;
     contents_.camera = make_camera();
-    for (const ObjectPointer& light : description_.objects("light")) contents_.lights.push_back(entry_of(light_kinds(), *light).make(*light));
+    for (const ObjectPointer& light : description_.objects("light"))
+      contents_.lights.push_back(entry_of(light_kinds(), *light).make(*light));
     for (const ObjectPointer& shader : description_.objects("shader")) shader_of(*shader);
-    for (const ObjectPointer& surface : description_.objects("surface")) place(*surface, Placement{identity_matrix(), nullptr});
+    for (const ObjectPointer& surface : description_.objects("surface"))
+      place(*surface, Placement{identity_matrix(), nullptr});
     return Scene(std::move(contents_), options_.accel);
   }
 
@@ -47,7 +50,8 @@ class SceneBuilder {
   };
 
   std::unique_ptr<Camera> make_camera() const {
-    if (const ObjectPointer camera = description_.object("camera")) return entry_of(camera_kinds(), *camera).make(*camera);
+    if (const ObjectPointer camera = description_.object("camera"))
+      return entry_of(camera_kinds(), *camera).make(*camera);
     ObjectDescription defaults;
     defaults.kind = &camera_kinds().front()->kind;
     defaults.file = description_.file;
@@ -57,7 +61,8 @@ class SceneBuilder {
 
   void place(const ObjectDescription& surface, const Placement& around) {
     if (++visits_ > kMostPlacedSurfaces) {  // groups count too: shared ones multiply even where they hold nothing
-      throw InputError(surface.where(), "more than " + std::to_string(kMostPlacedSurfaces) + " surfaces and groups, counting each use of a shared one");
+      throw InputError(surface.where(), "more than " + std::to_string(kMostPlacedSurfaces) +
+                                            " surfaces and groups, counting each use of a shared one");
     }
     if (surface.kind == &group_kind) {
       place_group(surface, around);
@@ -65,7 +70,8 @@ class SceneBuilder {
     }
     const ObjectPointer own_shader = surface.object("shader");
     const ObjectDescription* shader = own_shader ? own_shader.get() : around.shader;
-    contents_.placed.push_back({&surface_of(surface), transform(surface, around.world_from_group), shader ? &shader_of(*shader) : &white()});
+    contents_.placed.push_back(
+        {&surface_of(surface), transform(surface, around.world_from_group), shader ? &shader_of(*shader) : &white()});
   }
 
   /// Transforms multiply in file order, the first outermost, and apply to all members wherever they stand.
@@ -73,8 +79,10 @@ class SceneBuilder {
     Placement inner = around;
     for (const Property& property : group.properties) {
       const std::string_view name = property.parameter->name;
-      if (name == "translate") inner.world_from_group = inner.world_from_group * translation(std::get<Vec3>(property.value));
-      if (name == "rotate") inner.world_from_group = inner.world_from_group * rotation_degrees(std::get<Vec3>(property.value));
+      if (name == "translate")
+        inner.world_from_group = inner.world_from_group * translation(std::get<Vec3>(property.value));
+      if (name == "rotate")
+        inner.world_from_group = inner.world_from_group * rotation_degrees(std::get<Vec3>(property.value));
       if (name == "scale") inner.world_from_group = inner.world_from_group * scaling(factors(group, property));
     }
     transform(group, inner.world_from_group);  // a singular one is the group's fault, not its members'
@@ -87,7 +95,8 @@ class SceneBuilder {
   static Vec3 factors(const ObjectDescription& group, const Property& scale) {
     const Vec3 factors = std::get<Vec3>(scale.value);
     if (factors.x == 0 || factors.y == 0 || factors.z == 0) {
-      throw InputError({*group.file, scale.where.line, scale.where.column}, "the transform is singular: <scale> has a factor of zero, which flattens space");
+      throw InputError({*group.file, scale.where.line, scale.where.column},
+                       "the transform is singular: <scale> has a factor of zero, which flattens space");
     }
     return factors;
   }
@@ -111,8 +120,13 @@ class SceneBuilder {
 
   const Shader& shader_of(const ObjectDescription& object) {
     if (const auto known = shaders_.find(&object); known != shaders_.end()) return *known->second;
-    if (++shader_depth_ > kDeepestShader) throw InputError(object.where(), "shaders lie in each other more than " + std::to_string(kDeepestShader) + " deep");
-    auto shader = entry_of(shader_kinds(), object).make(object, [this](const ObjectDescription& inner) -> const Shader& { return shader_of(inner); });
+    if (++shader_depth_ > kDeepestShader)
+      throw InputError(object.where(),
+                       "shaders lie in each other more than " + std::to_string(kDeepestShader) + " deep");
+    auto shader =
+        entry_of(shader_kinds(), object).make(object, [this](const ObjectDescription& inner) -> const Shader& {
+          return shader_of(inner);
+        });
     --shader_depth_;
     contents_.shaders.push_back(std::move(shader));
     return *shaders_.emplace(&object, contents_.shaders.back().get()).first->second;
@@ -140,7 +154,8 @@ class SceneBuilder {
 
 }  // namespace
 
-Scene build_scene(const SceneDescription& description, const MeshTable& meshes, const BuildOptions& options, std::vector<std::string>& warnings) {
+Scene build_scene(const SceneDescription& description, const MeshTable& meshes, const BuildOptions& options,
+                  std::vector<std::string>& warnings) {
   return SceneBuilder(description, meshes, options, warnings).build();
 }
 

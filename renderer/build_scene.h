@@ -24,8 +24,8 @@ struct BuildOptions {
   Accel accel = Accel::bvh2;
 };
 
-/// Makes a scene ready to trace. A surface that is referred to from several places is made once. Throws InputError, at the
-/// element at fault, for a singular transform, a camera without a direction and the like, and for more than
+/// Makes a scene ready to trace. A surface that is referred to from several places is made once. Throws InputError, at
+/// the element at fault, for a singular transform, a camera without a direction and the like, and for more than
 /// kMostPlacedSurfaces surfaces and groups, each use of a shared one counted. Warnings are appended, one line each.
 Scene build_scene(const SceneDescription& description, const MeshTable& meshes, const BuildOptions& options,
                   std::vector<std::string>& warnings);

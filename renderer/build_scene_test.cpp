@@ -35,36 +35,56 @@ TEST(BuildScene, AGroupReferredToTwiceSharesItsMembers) {
 
 TEST(BuildScene, TransformsMultiplyInFileOrderTheFirstOutermost) {
   // Scale, then move: the point 0 goes to 1 and then to 2.
-  EXPECT_EQ(place(scene_of("<surface type='Group'><scale>2 2 2</scale><translate>1 0 0</translate><surface type='Sphere'/></surface>").scene, 0), (Point3{2, 0, 0}));
-  EXPECT_EQ(place(scene_of("<surface type='Group'><translate>1 0 0</translate><scale>2 2 2</scale><surface type='Sphere'/></surface>").scene, 0), (Point3{1, 0, 0}));
+  EXPECT_EQ(place(scene_of("<surface type='Group'><scale>2 2 2</scale><translate>1 0 0</translate><surface "
+                           "type='Sphere'/></surface>")
+                      .scene,
+                  0),
+            (Point3{2, 0, 0}));
+  EXPECT_EQ(place(scene_of("<surface type='Group'><translate>1 0 0</translate><scale>2 2 2</scale><surface "
+                           "type='Sphere'/></surface>")
+                      .scene,
+                  0),
+            (Point3{1, 0, 0}));
   // Two of a kind both count: a turn about z takes (1,0,0) to (0,1,0), then comes the first move.
-  EXPECT_EQ(place(scene_of("<surface type='Group'><translate>5 0 0</translate><rotate>0 0 90</rotate><translate>1 0 0</translate><surface type='Sphere'/></surface>").scene, 0),
+  EXPECT_EQ(place(scene_of("<surface type='Group'><translate>5 0 0</translate><rotate>0 0 90</rotate><translate>1 0 "
+                           "0</translate><surface type='Sphere'/></surface>")
+                      .scene,
+                  0),
             (Point3{5, 1, 0}));
 }
 
 TEST(BuildScene, AllTransformsOfAGroupApplyToAllMembersWhereverTheyStand) {
   const ReadScene read = scene_of(
-      "<surface type='Group'><surface type='Sphere'/><scale>2 2 2</scale><surface type='Sphere'/><translate>1 0 0</translate><surface type='Sphere'/></surface>");
+      "<surface type='Group'><surface type='Sphere'/><scale>2 2 2</scale><surface type='Sphere'/><translate>1 0 "
+      "0</translate><surface type='Sphere'/></surface>");
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(place(read.scene, i), (Point3{2, 0, 0})) << i;
 }
 
 TEST(BuildScene, NestedGroupsMultiplyParentTimesOwn) {
   const ReadScene read = scene_of(
-      "<surface type='Group'><rotate>0 0 90</rotate><surface type='Group'><translate>1 2 0</translate><surface type='Sphere'/></surface><surface type='Sphere'/></surface>");
+      "<surface type='Group'><rotate>0 0 90</rotate><surface type='Group'><translate>1 2 0</translate><surface "
+      "type='Sphere'/></surface><surface type='Sphere'/></surface>");
   EXPECT_EQ(place(read.scene, 0), (Point3{-2, 1, 0}));
   EXPECT_EQ(place(read.scene, 1), (Point3{0, 0, 0})) << "the inner group's transform ends with it";
 }
 
 TEST(BuildScene, ANegativeScaleIsNoError) {
-  EXPECT_EQ(scene_of("<surface type='Group'><scale>-1 1 1</scale><surface type='Sphere'/></surface>").scene.placed().size(), 1u);
+  EXPECT_EQ(
+      scene_of("<surface type='Group'><scale>-1 1 1</scale><surface type='Sphere'/></surface>").scene.placed().size(),
+      1u);
 }
 
 TEST(BuildScene, AGroupsShaderAppliesToMembersThatHaveNone) {
-  const auto lambertian = [](const std::string& color) { return "<shader type='Lambertian'><diffuseColor>" + color + "</diffuseColor></shader>"; };
-  const auto ball = [](const std::string& x, const std::string& more = "") { return "<surface type='Sphere'><center>" + x + " 0 0</center>" + more + "</surface>"; };
-  const ReadScene read = scene_of("<camera/><light><position>0 0 100</position></light>" + ball("0") + "<surface type='Group'>" + ball("3") +
-                                  lambertian("1 0 0") + ball("6", lambertian("0 1 0")) + "<surface type='Group'>" + ball("9") + "</surface><surface type='Group'>" +
-                                  lambertian("0 0 1") + ball("12") + "</surface></surface>");
+  const auto lambertian = [](const std::string& color) {
+    return "<shader type='Lambertian'><diffuseColor>" + color + "</diffuseColor></shader>";
+  };
+  const auto ball = [](const std::string& x, const std::string& more = "") {
+    return "<surface type='Sphere'><center>" + x + " 0 0</center>" + more + "</surface>";
+  };
+  const ReadScene read =
+      scene_of("<camera/><light><position>0 0 100</position></light>" + ball("0") + "<surface type='Group'>" +
+               ball("3") + lambertian("1 0 0") + ball("6", lambertian("0 1 0")) + "<surface type='Group'>" + ball("9") +
+               "</surface><surface type='Group'>" + lambertian("0 0 1") + ball("12") + "</surface></surface>");
   const auto hue = [&](double x) {
     const Color c = seen_along_z(read.scene, x);
     return Color{c.r > 0.5 ? 1.0 : c.r, c.g > 0.5 ? 1.0 : c.g, c.b > 0.5 ? 1.0 : c.b};
@@ -79,7 +99,8 @@ TEST(BuildScene, AGroupsShaderAppliesToMembersThatHaveNone) {
 TEST(BuildScene, ASharedSurfaceTakesTheShaderOfEachGroup) {
   const ReadScene read = scene_of(
       "<surface type='Group'><shader type='Phong' name='a'/><surface type='Sphere' name='b'/></surface>"
-      "<surface type='Group'><shader type='Lambertian'/><surface ref='b'/></surface><surface type='Group'><shader ref='a'/><surface ref='b'/></surface>");
+      "<surface type='Group'><shader type='Lambertian'/><surface ref='b'/></surface><surface type='Group'><shader "
+      "ref='a'/><surface ref='b'/></surface>");
   const auto& placed = read.scene.placed();
   ASSERT_EQ(placed.size(), 3u);
   EXPECT_NE(placed[0].shader, placed[1].shader);

@@ -4,7 +4,8 @@
 #include "renderer/image/read_picture.h"
 #include "renderer/scene_for_tests.h"
 
-// The course's own scenes against the course's own pictures. They are other people's data: nothing of them is stored here.
+// The course's own scenes against the course's own pictures. They are other people's data: nothing of them is stored
+// here.
 
 namespace plumb {
 namespace {
@@ -40,8 +41,10 @@ const Course kScenes[] = {
 std::string file_of(const Course& course) { return std::string(PLUMB_SHARED_DIR "/course/") + course.scene + ".xml"; }
 
 Image rendered(const Course& course, Accel accel, std::optional<Size2> size, int threads) {
-  const ReadScene read = read_and_build(file_of(course), {.overrides = {.image_size = size, .samples = {}, .max_depth = {}, .min_contribution = {}},
-                                                          .fresnel = course.fresnel, .accel = accel});
+  const ReadScene read = read_and_build(
+      file_of(course), {.overrides = {.image_size = size, .samples = {}, .max_depth = {}, .min_contribution = {}},
+                        .fresnel = course.fresnel,
+                        .accel = accel});
   return render(read.scene, {.threads = threads, .crop = {}, .progress = {}}).image;
 }
 
@@ -77,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(Courses, CoursePicture, ::testing::ValuesIn(kScenes), [
 
 TEST(CoursePictures, MeshesInDoublePrecisionChangeOnePixelOfOneScene) {
   // The course stores meshes as floats. With the file's decimals as doubles, bunny500 has one pixel that is off.
-  const SceneDescription description = read_scene(PLUMB_SHARED_DIR "/course/pa3-2011/bunny500.xml", renderer_kinds(Dialect::pa3_2011));
+  const SceneDescription description =
+      read_scene(PLUMB_SHARED_DIR "/course/pa3-2011/bunny500.xml", renderer_kinds(Dialect::pa3_2011));
   MeshTable exact;
   for (const auto& [name, mesh] : load_meshes(description))
     exact[name] = std::make_shared<const TriangleMesh>(read_mesh(description.file.parent_path() / name));

@@ -54,7 +54,8 @@ inline ReadScene scene_of(const std::string& elements, const BuildOptions& optio
 /// A scene of one surface outside of any group, and that surface in its own frame.
 class OneSurface {
  public:
-  explicit OneSurface(const std::string& element, const BuildOptions& options = {}) : read_(scene_of(element, options)) {}
+  explicit OneSurface(const std::string& element, const BuildOptions& options = {})
+      : read_(scene_of(element, options)) {}
   const Surface& operator*() const { return *read_.scene.placed().at(0).surface; }
   const Surface* operator->() const { return &**this; }
   std::optional<SurfaceHit> hit(const Ray& ray) const {

@@ -19,9 +19,11 @@ std::optional<Scene::Hit> closest(const Scene& scene, const Ray& ray) {
 
 TEST(Scene, OfCoincidentSurfacesTheFirstInTheFileIsHit) {
   // The two come third and fourth, behind others that the hierarchy may visit in any order.
-  const std::string others = "<surface type='Sphere'><center>9 0 0</center></surface><surface type='Sphere'><center>-9 0 0</center></surface>";
-  const std::string shapes[] = {"<surface type='Sphere'/>", "<surface type='Box'><minPt>-1 -1 -1</minPt><maxPt>1 1 1</maxPt></surface>", "<surface type='Cylinder'/>",
-                                "<surface type='Cone'><tipz>2</tipz></surface>"};
+  const std::string others =
+      "<surface type='Sphere'><center>9 0 0</center></surface><surface type='Sphere'><center>-9 0 0</center></surface>";
+  const std::string shapes[] = {"<surface type='Sphere'/>",
+                                "<surface type='Box'><minPt>-1 -1 -1</minPt><maxPt>1 1 1</maxPt></surface>",
+                                "<surface type='Cylinder'/>", "<surface type='Cone'><tipz>2</tipz></surface>"};
   std::mt19937_64 random(43);
   std::uniform_real_distribution<double> u(-1, 1);
   int hits = 0, misses = 0;
@@ -33,7 +35,8 @@ TEST(Scene, OfCoincidentSurfacesTheFirstInTheFileIsHit) {
         const auto hit = closest(read.scene, {from, Point3{u(random), u(random), u(random)} - from});
         ++(hit ? hits : misses);
         if (!hit) continue;
-        EXPECT_TRUE(hit->placed == 2 || std::fabs(read.scene.placed()[hit->placed].surface->bounds().center().x) > 8) << shape << i;
+        EXPECT_TRUE(hit->placed == 2 || std::fabs(read.scene.placed()[hit->placed].surface->bounds().center().x) > 8)
+            << shape << i;
       }
     }
   }
@@ -43,10 +46,16 @@ TEST(Scene, OfCoincidentSurfacesTheFirstInTheFileIsHit) {
 
 TEST(Scene, TiesAreDecidedAcrossGroups) {
   // The first lies deep in groups, under transforms that undo each other.
-  const std::string first = "<surface type='Group'><translate>2 0 0</translate><surface type='Group'><translate>-2 0 0</translate><surface type='Sphere'/></surface></surface>";
+  const std::string first =
+      "<surface type='Group'><translate>2 0 0</translate><surface type='Group'><translate>-2 0 0</translate><surface "
+      "type='Sphere'/></surface></surface>";
   for (const Accel accel : {Accel::linear, Accel::bvh2}) {
-    EXPECT_EQ(closest(scene_of(first + "<surface type='Sphere'/>", with(accel)).scene, {{0.5, 0.25, 3}, {0, 0, -1}})->placed, 0u);
-    EXPECT_EQ(closest(scene_of("<surface type='Sphere'/>" + first, with(accel)).scene, {{0.5, 0.25, 3}, {0, 0, -1}})->placed, 0u);
+    EXPECT_EQ(
+        closest(scene_of(first + "<surface type='Sphere'/>", with(accel)).scene, {{0.5, 0.25, 3}, {0, 0, -1}})->placed,
+        0u);
+    EXPECT_EQ(
+        closest(scene_of("<surface type='Sphere'/>" + first, with(accel)).scene, {{0.5, 0.25, 3}, {0, 0, -1}})->placed,
+        0u);
   }
 }
 
@@ -56,16 +65,27 @@ std::string number(double x) { return std::to_string(x) + " "; }
 std::string crowd(unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> u(-1, 1);
-  const auto triple = [&](double scale) { return number(scale * u(random)) + number(scale * u(random)) + number(scale * u(random)); };
+  const auto triple = [&](double scale) {
+    return number(scale * u(random)) + number(scale * u(random)) + number(scale * u(random));
+  };
   const auto positive = [&] { return number(0.1 + std::fabs(u(random))); };
   std::string text;
   for (int i = 0; i < 60; ++i) {
-    text += "<surface type='Group'><translate>" + triple(6) + "</translate><rotate>" + triple(180) + "</rotate><scale>" + positive() + positive() + positive() + "</scale>";
+    text += "<surface type='Group'><translate>" + triple(6) + "</translate><rotate>" + triple(180) +
+            "</rotate><scale>" + positive() + positive() + positive() + "</scale>";
     switch (i % 4) {
-      case 0: text += "<surface type='Sphere'/>"; break;
-      case 1: text += "<surface type='Box'><minPt>-1 -1 -1</minPt><maxPt>1 1 1</maxPt></surface>"; break;
-      case 2: text += "<surface type='Cylinder'/>"; break;
-      case 3: text += "<surface type='Cone'><tipz>.2</tipz></surface>"; break;
+      case 0:
+        text += "<surface type='Sphere'/>";
+        break;
+      case 1:
+        text += "<surface type='Box'><minPt>-1 -1 -1</minPt><maxPt>1 1 1</maxPt></surface>";
+        break;
+      case 2:
+        text += "<surface type='Cylinder'/>";
+        break;
+      case 3:
+        text += "<surface type='Cone'><tipz>.2</tipz></surface>";
+        break;
     }
     text += "</surface>";
   }

@@ -40,7 +40,8 @@ std::string terminal_table(const ResultSet& results, const TableStyle& style) {
     if (!c.check.advice.empty()) text += fmt::format("{:<{}}  -> {}\n", "", id_width, harmless(c.check.advice));
   }
   const Totals totals = results.totals();
-  text += fmt::format("{:<{}}  {:<15}  {:>7}\n", "total", id_width, "", fmt::format("{:g}/{:g}", totals.points, totals.max_points));
+  text += fmt::format("{:<{}}  {:<15}  {:>7}\n", "total", id_width, "",
+                      fmt::format("{:g}/{:g}", totals.points, totals.max_points));
   if (totals.pending_points > 0) text += fmt::format("{:g} points wait for a person\n", totals.pending_points);
   for (const std::string& note : results.notes) text += "note: " + harmless(note) + "\n";
   return text;

@@ -35,7 +35,8 @@ TEST(TerminalTable, HoldsACaseALineAndWhatToDo) {
 
 TEST(TerminalTable, PendingAndExcludedPointsCountNeitherWay) {
   ResultSet results;
-  results.cases = {a_case("right", Verdict::pass, 5, 5), a_case("ours", Verdict::internal_error, 0, 7), a_case("left-out", Verdict::skipped, 0, 3)};
+  results.cases = {a_case("right", Verdict::pass, 5, 5), a_case("ours", Verdict::internal_error, 0, 7),
+                   a_case("left-out", Verdict::skipped, 0, 3)};
   results.cases[1].pending = true;
   results.cases[2].excluded = true;
   const std::string table = terminal_table(results, {});
@@ -46,8 +47,9 @@ TEST(TerminalTable, PendingAndExcludedPointsCountNeitherWay) {
 
 TEST(TerminalTable, EveryVerdictFitsItsColumn) {
   ResultSet results;
-  for (const Verdict verdict : {Verdict::pass, Verdict::quality_warning, Verdict::fail, Verdict::timeout, Verdict::memory_limit, Verdict::output_limit, Verdict::crash,
-                                Verdict::security, Verdict::unsupported, Verdict::skipped, Verdict::internal_error})
+  for (const Verdict verdict : {Verdict::pass, Verdict::quality_warning, Verdict::fail, Verdict::timeout,
+                                Verdict::memory_limit, Verdict::output_limit, Verdict::crash, Verdict::security,
+                                Verdict::unsupported, Verdict::skipped, Verdict::internal_error})
     results.cases.push_back(a_case(std::string(to_string(verdict)), verdict, 1, 1));
   const std::string table = terminal_table(results, {});
   const std::size_t column = table.find("evidence");

@@ -25,25 +25,38 @@ std::vector<std::string_view> KindTable::names(Role role) const {
 
 std::string_view to_string(Role role) {
   switch (role) {
-    case Role::scene: return "scene";
-    case Role::camera: return "camera";
-    case Role::light: return "light";
-    case Role::shader: return "shader";
-    case Role::surface: return "surface";
+    case Role::scene:
+      return "scene";
+    case Role::camera:
+      return "camera";
+    case Role::light:
+      return "light";
+    case Role::shader:
+      return "shader";
+    case Role::surface:
+      return "surface";
   }
   throw std::logic_error("unknown role");
 }
 
 std::string_view to_string(ValueType type) {
   switch (type) {
-    case ValueType::number: return "one number";
-    case ValueType::integer: return "one whole number";
-    case ValueType::size: return "two whole numbers (width height)";
-    case ValueType::point: return "three numbers (x y z)";
-    case ValueType::vector: return "three numbers (x y z)";
-    case ValueType::color: return "three numbers (red green blue)";
-    case ValueType::file: return "a file name";
-    case ValueType::object: return "elements";
+    case ValueType::number:
+      return "one number";
+    case ValueType::integer:
+      return "one whole number";
+    case ValueType::size:
+      return "two whole numbers (width height)";
+    case ValueType::point:
+      return "three numbers (x y z)";
+    case ValueType::vector:
+      return "three numbers (x y z)";
+    case ValueType::color:
+      return "three numbers (red green blue)";
+    case ValueType::file:
+      return "a file name";
+    case ValueType::object:
+      return "elements";
   }
   throw std::logic_error("unknown value type");
 }

@@ -44,11 +44,14 @@ class MeshLoader {
     const std::filesystem::path file = folder_ / name;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
-      throw InputError(object.where(parameter), "the mesh '" + file.string() + "' does not exist, expected a file relative to the scene's folder");
+      throw InputError(object.where(parameter), "the mesh '" + file.string() +
+                                                    "' does not exist, expected a file relative to the scene's folder");
     }
     TriangleMesh mesh = in_single_precision(read_mesh(file));
     if (!std::ranges::all_of(mesh.positions, [](const Point3& p) { return is_finite(p); })) {
-      throw InputError(object.where(parameter), "the mesh '" + file.string() + "' has a coordinate beyond the range of single precision, expected at most 3.4e38");
+      throw InputError(object.where(parameter),
+                       "the mesh '" + file.string() +
+                           "' has a coordinate beyond the range of single precision, expected at most 3.4e38");
     }
     meshes_.emplace(name, std::make_shared<const TriangleMesh>(std::move(mesh)));
   }

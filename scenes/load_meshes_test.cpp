@@ -39,8 +39,10 @@ MeshTable load(const std::string& elements) {
 TEST(LoadMeshes, EachFileIsReadOnceWhereverItIsNamed) {
   write_file("a.msh", kTriangle);
   write_file("below/b.msh", kTriangle);
-  const MeshTable meshes = load("<surface type='Net'><data>a.msh</data></surface><surface type='Group'><surface type='Group'>"
-                                "<surface type='Net'><data>\n a.msh </data></surface><surface type='Net'><data>below/b.msh</data></surface></surface></surface>");
+  const MeshTable meshes = load(
+      "<surface type='Net'><data>a.msh</data></surface><surface type='Group'><surface type='Group'>"
+      "<surface type='Net'><data>\n a.msh </data></surface><surface "
+      "type='Net'><data>below/b.msh</data></surface></surface></surface>");
   ASSERT_EQ(meshes.size(), 2u);
   EXPECT_EQ(*meshes.at("a.msh"), *meshes.at("below/b.msh"));
 }

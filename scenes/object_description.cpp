@@ -29,7 +29,9 @@ Value value_of(const ObjectDescription& object, std::string_view name) {
 
 }  // namespace
 
-double ObjectDescription::number(std::string_view parameter) const { return std::get<double>(value_of(*this, parameter)); }
+double ObjectDescription::number(std::string_view parameter) const {
+  return std::get<double>(value_of(*this, parameter));
+}
 int ObjectDescription::integer(std::string_view parameter) const { return std::get<int>(value_of(*this, parameter)); }
 Vec3 ObjectDescription::vector(std::string_view parameter) const { return std::get<Vec3>(value_of(*this, parameter)); }
 

@@ -35,7 +35,8 @@ class SceneReader {
 
   SceneDescription read() {
     const pugi::xml_node root = source_.root();
-    if (!equal_ignoring_case(root.name(), "scene")) fail(root, "the root element is " + tag(root.name()) + ", expected <scene>");
+    if (!equal_ignoring_case(root.name(), "scene"))
+      fail(root, "the root element is " + tag(root.name()) + ", expected <scene>");
     check_attributes(root, {"name"});
     description_.scene = read_object(root, scene_kind, 0);
     check_image_size(*description_.scene);
@@ -50,7 +51,9 @@ class SceneReader {
     Value value;
   };
 
-  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const { throw InputError(location(node), what); }
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const {
+    throw InputError(location(node), what);
+  }
 
   SourceLocation location(const pugi::xml_node& node) const {
     const TextPosition at = source_.position(node);
@@ -62,7 +65,8 @@ class SceneReader {
   }
 
   ObjectPointer read_object(const pugi::xml_node& node, const Kind& kind, int depth) {
-    if (depth > kDeepestNesting) fail(node, "elements are nested more than " + std::to_string(kDeepestNesting) + " deep");
+    if (depth > kDeepestNesting)
+      fail(node, "elements are nested more than " + std::to_string(kDeepestNesting) + " deep");
     auto object = std::make_shared<ObjectDescription>();
     object->kind = &kind;
     object->name = node.attribute("name").value();
@@ -77,8 +81,8 @@ class SceneReader {
     }
     for (const Parameter& parameter : kind.parameters) {
       if (parameter.presence == Presence::required && !object->has(parameter.name)) {
-        fail(node, tag(node.name()) + " of kind " + std::string(kind.name) + " lacks " + tag(parameter.name) + ", expected " +
-                       std::string(to_string(parameter.type)));
+        fail(node, tag(node.name()) + " of kind " + std::string(kind.name) + " lacks " + tag(parameter.name) +
+                       ", expected " + std::string(to_string(parameter.type)));
       }
     }
     return object;
@@ -87,15 +91,18 @@ class SceneReader {
   void read_property(const pugi::xml_node& node, const Kind& owner, ObjectDescription& object, int depth) {
     const Parameter& written = parameter_for(node, owner);
     const Parameter& parameter = written.alias_of.empty() ? written : parameter_named(owner, written.alias_of);
-    if (parameter.type == ValueType::object) check_attributes(node, {"type", "name", "ref"});
-    else check_attributes(node, {"name", "ref"});
+    if (parameter.type == ValueType::object)
+      check_attributes(node, {"type", "name", "ref"});
+    else
+      check_attributes(node, {"name", "ref"});
     if (!parameter.repeatable && object.has(parameter.name)) {
       warn(node, tag(node.name()) + " was given before at line " + std::to_string(object.where(parameter.name).line) +
                      "; the last one counts");
     }
     Value value = node.attribute("ref") ? referred(node, parameter) : read_value(node, parameter, depth);
     if (const std::string name = node.attribute("name").value(); !name.empty()) {
-      if (named_.contains(name)) warn(node, "the name " + in_quotes(name) + " was given before; from here on it means this element");
+      if (named_.contains(name))
+        warn(node, "the name " + in_quotes(name) + " was given before; from here on it means this element");
       named_.insert_or_assign(name, Named{parameter.type, parameter.role, value});
     }
     object.properties.push_back({&parameter, std::move(value), source_.position(node)});
@@ -106,7 +113,8 @@ class SceneReader {
     std::string text;
     for (const pugi::xml_node& child : node.children()) {
       if (child.type() == pugi::node_element) {
-        fail(child, "unexpected " + tag(child.name()) + " in " + tag(node.name()) + ", expected " + std::string(to_string(parameter.type)));
+        fail(child, "unexpected " + tag(child.name()) + " in " + tag(node.name()) + ", expected " +
+                        std::string(to_string(parameter.type)));
       }
       text += child.value();
     }
@@ -122,7 +130,8 @@ class SceneReader {
     std::string known;
     for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
     if (known.empty()) known = "no elements";
-    fail(node, "unknown tag " + tag(node.name()) + " in " + std::string(owner.name) + ", expected " + known + did_you_mean(node.name(), names));
+    fail(node, "unknown tag " + tag(node.name()) + " in " + std::string(owner.name) + ", expected " + known +
+                   did_you_mean(node.name(), names));
   }
 
   static const Parameter& parameter_named(const Kind& owner, std::string_view name) {
@@ -137,9 +146,11 @@ class SceneReader {
     for (const pugi::xml_attribute& attribute : node.attributes()) {
       const std::string_view name = attribute.name();
       if (std::ranges::find(known, name) == known.end()) {
-        fail(node, "unknown attribute " + in_quotes(name) + " of " + tag(node.name()) + ", expected " + expected + did_you_mean(name, known));
+        fail(node, "unknown attribute " + in_quotes(name) + " of " + tag(node.name()) + ", expected " + expected +
+                       did_you_mean(name, known));
       }
-      if (node.attribute(attribute.name()) != attribute) fail(node, "the attribute " + in_quotes(name) + " of " + tag(node.name()) + " is given twice, expected once");
+      if (node.attribute(attribute.name()) != attribute)
+        fail(node, "the attribute " + in_quotes(name) + " of " + tag(node.name()) + " is given twice, expected once");
     }
   }
 
@@ -155,8 +166,8 @@ class SceneReader {
     }
     const std::string_view name = without_package(type.value());
     if (const Kind* kind = kinds_.find(role, name)) return *kind;
-    fail(node, "unknown type " + in_quotes(type.value()) + " of " + tag(node.name()) + ", expected one of " + known_kinds(role) +
-                   did_you_mean(name, kinds_.names(role)));
+    fail(node, "unknown type " + in_quotes(type.value()) + " of " + tag(node.name()) + ", expected one of " +
+                   known_kinds(role) + did_you_mean(name, kinds_.names(role)));
   }
 
   std::string known_kinds(Role role) const {
@@ -168,26 +179,32 @@ class SceneReader {
   Value referred(const pugi::xml_node& node, const Parameter& parameter) const {
     const std::string ref = node.attribute("ref").value();
     for (const pugi::xml_node& child : node.children()) {
-      if (child.type() == pugi::node_element || !is_blank(child.value())) fail(child, tag(node.name()) + " has both a ref and content, expected one of them");
+      if (child.type() == pugi::node_element || !is_blank(child.value()))
+        fail(child, tag(node.name()) + " has both a ref and content, expected one of them");
     }
     const auto found = named_.find(ref);
     if (found == named_.end()) fail_unknown_name(node, ref);
     const Named& target = found->second;
     if (target.type != parameter.type || (target.type == ValueType::object && target.role != parameter.role)) {
       fail(node, in_quotes(ref) + " names " + described(target) + ", expected " +
-                     (parameter.type == ValueType::object ? "a " + std::string(to_string(parameter.role)) : std::string(to_string(parameter.type))));
+                     (parameter.type == ValueType::object ? "a " + std::string(to_string(parameter.role))
+                                                          : std::string(to_string(parameter.type))));
     }
-    if (const pugi::xml_attribute type = node.attribute("type"); type && without_package(type.value()) != std::get<ObjectPointer>(target.value)->kind->name) {
-      fail(node, in_quotes(ref) + " names a " + std::string(std::get<ObjectPointer>(target.value)->kind->name) + ", expected the type " + in_quotes(type.value()));
+    if (const pugi::xml_attribute type = node.attribute("type");
+        type && without_package(type.value()) != std::get<ObjectPointer>(target.value)->kind->name) {
+      fail(node, in_quotes(ref) + " names a " + std::string(std::get<ObjectPointer>(target.value)->kind->name) +
+                     ", expected the type " + in_quotes(type.value()));
     }
     check_range(parameter, target.value, location(node));
     return target.value;
   }
 
   [[noreturn]] void fail_unknown_name(const pugi::xml_node& node, const std::string& ref) const {
-    const pugi::xml_node later = source_.root().find_node([&](const pugi::xml_node& n) { return ref == n.attribute("name").value(); });
+    const pugi::xml_node later =
+        source_.root().find_node([&](const pugi::xml_node& n) { return ref == n.attribute("name").value(); });
     if (!ref.empty() && later) {
-      fail(node, "the name " + in_quotes(ref) + " is not complete before line " + std::to_string(source_.position(later).line) +
+      fail(node, "the name " + in_quotes(ref) + " is not complete before line " +
+                     std::to_string(source_.position(later).line) +
                      ", expected the element that is named to end before the one that refers to it");
     }
     std::vector<std::string_view> names;
@@ -195,19 +212,23 @@ class SceneReader {
       if (const pugi::xml_attribute name = n.attribute("name")) names.push_back(name.value());
       return false;
     });
-    fail(node, "nothing is named " + in_quotes(ref) + ", expected the name of an earlier element" + did_you_mean(ref, names));
+    fail(node,
+         "nothing is named " + in_quotes(ref) + ", expected the name of an earlier element" + did_you_mean(ref, names));
   }
 
   static std::string described(const Named& target) {
-    return target.type == ValueType::object ? "a " + std::string(to_string(target.role)) : std::string(to_string(target.type));
+    return target.type == ValueType::object ? "a " + std::string(to_string(target.role))
+                                            : std::string(to_string(target.type));
   }
 
   void check_image_size(const ObjectDescription& scene) const {
     const Size2 size = scene.size("image");
-    if (size.width > kLargestImageSide || size.height > kLargestImageSide || static_cast<long>(size.width) * size.height > kMostImagePixels) {
-      throw InputError(scene.where("image"), "a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                                 " is too large, expected at most " + std::to_string(kLargestImageSide) +
-                                                 " a side and " + std::to_string(kMostImagePixels) + " pixels");
+    if (size.width > kLargestImageSide || size.height > kLargestImageSide ||
+        static_cast<long>(size.width) * size.height > kMostImagePixels) {
+      throw InputError(scene.where("image"), "a picture of " + std::to_string(size.width) + "x" +
+                                                 std::to_string(size.height) + " is too large, expected at most " +
+                                                 std::to_string(kLargestImageSide) + " a side and " +
+                                                 std::to_string(kMostImagePixels) + " pixels");
     }
   }
 

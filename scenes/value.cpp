@@ -28,7 +28,8 @@ class ValueReader {
 
   void expect_count(std::size_t count) const {
     if (words_.size() == count) return;
-    const std::string found = words_.empty() ? "nothing" : std::to_string(words_.size()) + (words_.size() == 1 ? " value" : " values");
+    const std::string found =
+        words_.empty() ? "nothing" : std::to_string(words_.size()) + (words_.size() == 1 ? " value" : " values");
     fail("found " + found);
   }
 
@@ -54,7 +55,8 @@ class ValueReader {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     // A number too large for the type says so; one too close to zero for a double is an error as well.
     if (error == std::errc::result_out_of_range) fail("'" + std::string(words_[i]) + "' is out of range");
-    if (error != std::errc{} || end != word.data() + word.size()) fail("'" + std::string(words_[i]) + "' is no such number");
+    if (error != std::errc{} || end != word.data() + word.size())
+      fail("'" + std::string(words_[i]) + "' is no such number");
     return value;
   }
 
@@ -104,7 +106,8 @@ Value parse_text(const Parameter& parameter, std::string_view text, const Source
       reader.expect_count(3);
       return Vec3{reader.number(0), reader.number(1), reader.number(2)};
     case ValueType::file:
-    case ValueType::object: break;
+    case ValueType::object:
+      break;
   }
   throw std::logic_error("this parameter is not a value");
 }

@@ -30,7 +30,8 @@ using Value = std::variant<double, int, Size2, Vec3, std::string, ObjectPointer>
 /// by any white space, finite, within its range. Throws InputError at `where`.
 Value parse_value(const Parameter& parameter, std::string_view text, const SourceLocation& where);
 
-/// Throws InputError at `where` if a number of the value lies outside of the parameter's range. Values that are not numbers pass.
+/// Throws InputError at `where` if a number of the value lies outside of the parameter's range. Values that are not
+/// numbers pass.
 void check_range(const Parameter& parameter, const Value& value, const SourceLocation& where);
 
 }  // namespace plumb

@@ -24,7 +24,9 @@ std::string refusal(const Parameter& what, std::string_view text) {
   return "";
 }
 
-double number(std::string_view text) { return std::get<double>(parse_value(parameter(ValueType::number), text, kHere)); }
+double number(std::string_view text) {
+  return std::get<double>(parse_value(parameter(ValueType::number), text, kHere));
+}
 
 TEST(Value, NumbersOfEveryNotation) {
   EXPECT_EQ(number("3"), 3);
@@ -117,9 +119,7 @@ TEST(Value, ControlCharactersOfTheTextAreMadeHarmless) {
   EXPECT_EQ(refusal(parameter(ValueType::number), "\x1b[31m").find('\x1b'), std::string::npos);
 }
 
-TEST(Value, AnObjectIsNoText) {
-  EXPECT_THROW(parse_value(parameter(ValueType::object), "1", kHere), std::logic_error);
-}
+TEST(Value, AnObjectIsNoText) { EXPECT_THROW(parse_value(parameter(ValueType::object), "1", kHere), std::logic_error); }
 
 TEST(Value, NothingAboveTheLargestIsAccepted) {
   Parameter samples = parameter(ValueType::integer);

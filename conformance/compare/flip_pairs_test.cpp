@@ -23,7 +23,8 @@ TEST_P(FlipPairTest, IsCalledDifferent) {
   EXPECT_EQ(judge_picture(start + ".reference.png", reference, 0).result.verdict, Verdict::pass);
 }
 
-INSTANTIATE_TEST_SUITE_P(Flip, FlipPairTest, testing::Values("bunny500_norms", "glazed-ball", "solids", "sphereSquished"));
+INSTANTIATE_TEST_SUITE_P(Flip, FlipPairTest,
+                         testing::Values("bunny500_norms", "glazed-ball", "solids", "sphereSquished"));
 
 }  // namespace
 }  // namespace plumb

@@ -7,9 +7,9 @@
 
 namespace plumb {
 
-/// A picture of where two pictures of the same size and kind differ: three bytes a pixel, rows from the top. Equal pixels show the
-/// reference, dark and without colour. Others run from violet (one level, or 1/255 linear) by red and orange to white (255), by the logarithm
-/// of the difference, so that one level can be seen.
+/// A picture of where two pictures of the same size and kind differ: three bytes a pixel, rows from the top. Equal
+/// pixels show the reference, dark and without colour. Others run from violet (one level, or 1/255 linear) by red and
+/// orange to white (255), by the logarithm of the difference, so that one level can be seen.
 std::vector<std::uint8_t> heat_map(const Picture& reference, const Picture& picture);
 
 }  // namespace plumb

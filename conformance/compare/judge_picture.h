@@ -18,11 +18,11 @@ struct PictureJudgement {
   std::optional<PictureDifference> difference;
 };
 
-/// Judges a picture file against a reference, in this order: signature and header (`bad_picture`; also where one of the two is linear and the
-/// other is not), size (`wrong_size`; before decoding, so
-/// that no picture takes more memory than the reference's size), decoding (`bad_picture`), finiteness (`not_finite`), then the largest
-/// channel difference against `tolerance` (`different`): levels for PNG and PPM, linear values for EXR. A right picture with
-/// transparent pixels is a quality_warning (`transparent`).
+/// Judges a picture file against a reference, in this order: signature and header (`bad_picture`; also where one of the
+/// two is linear and the other is not), size (`wrong_size`; before decoding, so that no picture takes more memory than
+/// the reference's size), decoding (`bad_picture`), finiteness (`not_finite`), then the largest channel difference
+/// against `tolerance` (`different`): levels for PNG and PPM, linear values for EXR. A right picture with transparent
+/// pixels is a quality_warning (`transparent`).
 ///
 /// Throws InputError if the picture does not exist.
 PictureJudgement judge_picture(const std::filesystem::path& picture, const Picture& reference, double tolerance);

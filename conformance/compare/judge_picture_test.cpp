@@ -60,7 +60,9 @@ class JudgePictureTest : public testing::Test {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  CheckResult judge(const fs::path& picture, double tolerance = 0) const { return judge_picture(picture, reference_, tolerance).result; }
+  CheckResult judge(const fs::path& picture, double tolerance = 0) const {
+    return judge_picture(picture, reference_, tolerance).result;
+  }
 
   fs::path folder_;
   Picture reference_;
@@ -90,7 +92,8 @@ TEST_F(JudgePictureTest, LinearPicturesAreComparedInLinearValues) {
 
 TEST_F(JudgePictureTest, SamplesThatAreNoNumbersFail) {
   reference_ = read_reference(exr("zero.exr", 0));
-  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 1e39}) {
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity(), 1e39}) {
     const PictureJudgement judged = judge_picture(exr("x.exr", value), reference_, 1e30);
     EXPECT_EQ(judged.result.verdict, Verdict::fail) << value;
     EXPECT_EQ(judged.result.cause, "not_finite") << value;
@@ -165,8 +168,9 @@ TEST_F(JudgePictureTest, TheSizeIsCheckedBeforeAnythingIsDecoded) {
   struct rusage before {};
   ASSERT_EQ(::getrusage(RUSAGE_SELF, &before), 0);
   // Headers with next to nothing after them.
-  const CheckResult result = judge(file("large.png", from_hex("89504e470d0a1a0a0000000d4948445200003e8000003e800802000000ce1c4889"
-                                                              "000000094944415478da63000000010001b10db6930000000049454e44ae426082")));
+  const CheckResult result =
+      judge(file("large.png", from_hex("89504e470d0a1a0a0000000d4948445200003e8000003e800802000000ce1c4889"
+                                       "000000094944415478da63000000010001b10db6930000000049454e44ae426082")));
   EXPECT_EQ(result.cause, "wrong_size");
   EXPECT_EQ(result.summary, "the picture is 16000x16000, expected 2x1");
   EXPECT_EQ(judge(file("large.ppm", "P6 16000 16000 255\n")).cause, "wrong_size");
@@ -181,7 +185,8 @@ TEST_F(JudgePictureTest, TheSizeIsCheckedBeforeAnythingIsDecoded) {
 
 TEST_F(JudgePictureTest, ATransparentPictureIsAWarning) {
   const char* const kTransparent =  // the reference's colours, the second pixel with alpha 128
-      "89504e470d0a1a0a0000000d4948445200000002000000010806000000f4227f8a000000114944415478da63e01291fbaf6164d3000008c202527b24f9a00000000049454e44ae426082";
+      "89504e470d0a1a0a0000000d4948445200000002000000010806000000f4227f8a000000114944415478da63e01291fbaf6164d3000008c2"
+      "02527b24f9a00000000049454e44ae426082";
   const CheckResult result = judge(file("x.png", from_hex(kTransparent)));
   EXPECT_EQ(result.verdict, Verdict::quality_warning);
   EXPECT_EQ(result.cause, "transparent");
@@ -190,7 +195,8 @@ TEST_F(JudgePictureTest, ATransparentPictureIsAWarning) {
 
 TEST_F(JudgePictureTest, SixteenBitsAreFractionsOfALevel) {
   const char* const kSixteenBits =  // the reference's colours times 257, the last channel 100 more
-      "89504e470d0a1a0a0000000d49484452000000020000000110020000002bd0349e000000154944415478da63e0e212119193d3d03032b2590000085f020987cd5c200000000049454e44ae426082";
+      "89504e470d0a1a0a0000000d49484452000000020000000110020000002bd0349e000000154944415478da63e0e212119193d3d03032b259"
+      "0000085f020987cd5c200000000049454e44ae426082";
   const PictureJudgement judged = judge_picture(file("x.png", from_hex(kSixteenBits)), reference_, 0.5);
   EXPECT_EQ(judged.result.verdict, Verdict::pass);
   ASSERT_TRUE(judged.difference);

@@ -11,7 +11,9 @@
 namespace plumb {
 namespace {
 
-Picture picture(int width, int height, std::vector<float> samples, PictureFormat format = PictureFormat::png) { return {format, width, height, std::move(samples), false}; }
+Picture picture(int width, int height, std::vector<float> samples, PictureFormat format = PictureFormat::png) {
+  return {format, width, height, std::move(samples), false};
+}
 
 TEST(PictureDifference, NumbersAreThoseWorkedOutByHand) {
   // Differences by pixel: (1,0,4), (0,0,0), (3,0,4), (0,2,0).
@@ -24,7 +26,7 @@ TEST(PictureDifference, NumbersAreThoseWorkedOutByHand) {
   EXPECT_EQ(d.max_x, 0) << "the first pixel that has the largest difference";
   EXPECT_EQ(d.max_y, 0);
   EXPECT_EQ(d.channels[0].max, 3);
-  EXPECT_EQ(d.channels[0].mean, 1);                    // (1 + 0 + 3 + 0) / 4
+  EXPECT_EQ(d.channels[0].mean, 1);                     // (1 + 0 + 3 + 0) / 4
   EXPECT_DOUBLE_EQ(d.channels[0].rms, std::sqrt(2.5));  // (1 + 9) / 4
   EXPECT_EQ(d.channels[0].share_past, 0.25);
   EXPECT_EQ(d.channels[1].max, 2);
@@ -69,7 +71,8 @@ TEST(PictureDifference, FloatsOfAnyMagnitudeAreSubtractedInDouble) {
 std::vector<std::uint8_t> levels(std::initializer_list<int> values) { return {values.begin(), values.end()}; }
 
 TEST(HeatMap, RunsFromVioletToWhiteByTheLogarithm) {
-  // log2(16) / log2(255) = 0.50035, so 16 levels lie a little past the middle anchor (240,90,30): 0.0014 of the way to (255,190,40).
+  // log2(16) / log2(255) = 0.50035, so 16 levels lie a little past the middle anchor (240,90,30): 0.0014 of the way to
+  // (255,190,40).
   const Picture reference = picture(4, 1, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   const Picture other = picture(4, 1, {1, 0, 0, 0, 255, 0, 0, 0, 16, 0, 0.25F, 0});
   EXPECT_EQ(heat_map(reference, other), levels({110, 30, 160, 255, 255, 255, 240, 90, 30, 110, 30, 160}));

@@ -34,15 +34,23 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string reason_text(const RunOutcome& run, double build_seconds) {
   switch (run.reason) {
-    case StopReason::exited: return fmt::format("ended with exit status {}", run.exit_code);
-    case StopReason::signalled: return fmt::format("was ended by signal {}", run.signal);
-    case StopReason::cannot_start: return run.start_error;
+    case StopReason::exited:
+      return fmt::format("ended with exit status {}", run.exit_code);
+    case StopReason::signalled:
+      return fmt::format("was ended by signal {}", run.signal);
+    case StopReason::cannot_start:
+      return run.start_error;
     case StopReason::cpu_limit:
-    case StopReason::wall_limit: return fmt::format("took longer than the {:g} s that a build may take", build_seconds);
-    case StopReason::memory_limit: return "used more than 4 GiB of memory";
-    case StopReason::output_limit: return "wrote more than 1 GiB";
-    case StopReason::process_limit: return "started too many processes";
-    case StopReason::interrupted: return "was interrupted";
+    case StopReason::wall_limit:
+      return fmt::format("took longer than the {:g} s that a build may take", build_seconds);
+    case StopReason::memory_limit:
+      return "used more than 4 GiB of memory";
+    case StopReason::output_limit:
+      return "wrote more than 1 GiB";
+    case StopReason::process_limit:
+      return "started too many processes";
+    case StopReason::interrupted:
+      return "was interrupted";
   }
   throw std::logic_error("unknown stop reason");
 }
@@ -69,7 +77,8 @@ bool is_installed(const std::string& program, const Runner& runner) {
 }  // namespace
 
 std::vector<std::string> environment(const Runner& runner, const fs::path& home) {
-  std::vector<std::string> result{"PATH=" + search_path(), "HOME=" + home.string(), "TMPDIR=" + home.string(), "LANG=C.UTF-8"};
+  std::vector<std::string> result{"PATH=" + search_path(), "HOME=" + home.string(), "TMPDIR=" + home.string(),
+                                  "LANG=C.UTF-8"};
   for (const auto& [name, value] : runner.env) {
     std::erase_if(result, [&](const std::string& entry) { return entry.starts_with(name + "="); });
     result.push_back(name + "=" + value);
@@ -90,18 +99,23 @@ std::optional<CheckResult> build_submission(const BuildRequest& build) {
     try {
       request.arguments = build_command(command, workspace.build());
     } catch (const InputError& error) {
-      fault = build_fault(error.what(), "check that all sources were handed in, in the folders that the assignment names");
+      fault =
+          build_fault(error.what(), "check that all sources were handed in, in the folders that the assignment names");
       break;
     }
     request.folder = workspace.build();
     request.environment = environment(runner, home);
     request.writable_folder = workspace.build();
-    request.limits = {.cpu_seconds = seconds_left * 2, .wall_seconds = seconds_left, .memory_bytes = kBuildMemory, .output_bytes = kBuildOutput};
+    request.limits = {.cpu_seconds = seconds_left * 2,
+                      .wall_seconds = seconds_left,
+                      .memory_bytes = kBuildMemory,
+                      .output_bytes = kBuildOutput};
     const RunOutcome run = run_process(request);
     log += "$ " + joined(request.arguments) + "\n" + run.log;
     seconds_left = std::max(seconds_left - run.wall_seconds, 0.01);
     if (run.reason == StopReason::exited && run.exit_code == 0) continue;
-    fault = build_fault(fmt::format("the build failed: '{}' {}", command.front(), reason_text(run, build_seconds)), "read build/log.txt, and try the same command yourself");
+    fault = build_fault(fmt::format("the build failed: '{}' {}", command.front(), reason_text(run, build_seconds)),
+                        "read build/log.txt, and try the same command yourself");
     if (run.reason == StopReason::interrupted) fault->cause = "interrupted";
     break;
   }
@@ -115,7 +129,8 @@ void require_programs(const Suite& suite) {
   commands.push_back(suite.runner.render);
   for (const std::vector<std::string>& command : commands) {
     if (command.front().find('/') != std::string::npos || is_installed(command.front(), suite.runner)) continue;
-    throw InputError({suite.file.string()}, "'" + command.front() + "', which [runner] needs, is not installed; nothing was graded");
+    throw InputError({suite.file.string()},
+                     "'" + command.front() + "', which [runner] needs, is not installed; nothing was graded");
   }
 }
 

@@ -12,7 +12,8 @@
 
 namespace plumb {
 
-/// A complete environment for a submission's commands: PATH as ours, HOME and TMPDIR in its own folder, a UTF-8 locale, then the runner's own.
+/// A complete environment for a submission's commands: PATH as ours, HOME and TMPDIR in its own folder, a UTF-8 locale,
+/// then the runner's own.
 std::vector<std::string> environment(const Runner& runner, const std::filesystem::path& home);
 
 struct BuildRequest {
@@ -24,9 +25,9 @@ struct BuildRequest {
   double seconds_left;
 };
 
-/// Runs the build commands in the workspace's copy, one after the other, within the suite's build_seconds in all (or what is left, if that is
-/// less), and writes their output to build/log.txt of the results. Returns what went wrong (cause `build`), or nothing. An interrupt ends it with the
-/// cause `interrupted`.
+/// Runs the build commands in the workspace's copy, one after the other, within the suite's build_seconds in all (or
+/// what is left, if that is less), and writes their output to build/log.txt of the results. Returns what went wrong
+/// (cause `build`), or nothing. An interrupt ends it with the cause `interrupted`.
 std::optional<CheckResult> build_submission(const BuildRequest& build);
 
 /// Throws InputError if a program that the suite's own commands name without a path is not installed.

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kSources = "{sources:";
 
 void replace_all(std::string& text, std::string_view name, std::string_view value) {
-  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + value.size())) text.replace(at, name.size(), value);
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + value.size()))
+    text.replace(at, name.size(), value);
 }
 
 std::string filled(std::string text, const CasePaths& paths) {
@@ -34,8 +35,10 @@ bool parts_match(const std::vector<fs::path>& glob, const std::vector<fs::path>&
   for (const fs::path& part : glob) {
     std::vector<bool> next(path.size() + 1, false);
     for (std::size_t j = 0; j <= path.size(); ++j) {
-      if (part == "**") next[j] = reached[j] || (j > 0 && next[j - 1]);
-      else if (j > 0) next[j] = reached[j - 1] && ::fnmatch(part.c_str(), path[j - 1].c_str(), 0) == 0;
+      if (part == "**")
+        next[j] = reached[j] || (j > 0 && next[j - 1]);
+      else if (j > 0)
+        next[j] = reached[j - 1] && ::fnmatch(part.c_str(), path[j - 1].c_str(), 0) == 0;
     }
     reached = std::move(next);
   }
@@ -78,7 +81,8 @@ std::vector<std::string> build_command(const std::vector<std::string>& command, 
   std::vector<std::string> result;
   for (const std::string& argument : command) {
     if (argument.starts_with(kSources)) {
-      const std::vector<std::string> files = matching_files(argument.substr(kSources.size(), argument.size() - kSources.size() - 1), folder);
+      const std::vector<std::string> files =
+          matching_files(argument.substr(kSources.size(), argument.size() - kSources.size() - 1), folder);
       result.insert(result.end(), files.begin(), files.end());
     } else {
       result.push_back(argument);

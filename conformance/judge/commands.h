@@ -21,8 +21,9 @@ CasePaths case_paths(const Runner& runner, const SuiteCase& suite_case);
 /// The render command with its placeholders filled in.
 std::vector<std::string> render_command(const Runner& runner, const CasePaths& paths);
 
-/// A build command with each {sources:GLOB} replaced by the files below `folder` that match, sorted by name. In a GLOB, `*` and `?` match within
-/// a name and `**` any number of folders. A name that begins with '-' or '@', which compilers take for options and lists of files, gets "./" before it. Throws InputError if nothing matches.
+/// A build command with each {sources:GLOB} replaced by the files below `folder` that match, sorted by name. In a GLOB,
+/// `*` and `?` match within a name and `**` any number of folders. A name that begins with '-' or '@', which compilers
+/// take for options and lists of files, gets "./" before it. Throws InputError if nothing matches.
 std::vector<std::string> build_command(const std::vector<std::string>& command, const std::filesystem::path& folder);
 
 /// Whether a relative path matches a GLOB as above.

@@ -22,15 +22,37 @@ TEST(GlobMatches, FollowsTheTable) {
     const char* path;
     bool matches;
   } table[] = {
-      {"*.java", "A.java", true},          {"*.java", "ray/A.java", false},         {"*.java", "A.javac", false},      {"*.java", "A.JAVA", false},
-      {"**/*.java", "A.java", true},       {"**/*.java", "ray/A.java", true},       {"**/*.java", "a/b/c/A.java", true}, {"ray/**/*.java", "ray/A.java", true},
-      {"ray/**/*.java", "ray/x/y/A.java", true}, {"ray/**/*.java", "A.java", false}, {"ray/**/*.java", "x/ray/A.java", false}, {"**", "a/b/c", true},
-      {"**/ray/*", "a/b/ray/c", true},     {"**/ray/*", "a/b/ray/c/d", false},      {"?.c", "a.c", true},              {"?.c", "ab.c", false},
-      {"?.c", "/.c", false},               {"a*b", "a/b", false},                   {"a**b", "axxb", true},            {"a**b", "a/b", false},
-      {"[ab].c", "a.c", true},             {"[ab].c", "c.c", false},                {"main.c", "main.c", true},        {"main.c", "x/main.c", false},
-      {"**/**/*.c", "a.c", true},          {"*/*/*.c", "a/b/c.c", true},            {"*/*/*.c", "a/c.c", false},       {"*", ".hidden", true},
+      {"*.java", "A.java", true},
+      {"*.java", "ray/A.java", false},
+      {"*.java", "A.javac", false},
+      {"*.java", "A.JAVA", false},
+      {"**/*.java", "A.java", true},
+      {"**/*.java", "ray/A.java", true},
+      {"**/*.java", "a/b/c/A.java", true},
+      {"ray/**/*.java", "ray/A.java", true},
+      {"ray/**/*.java", "ray/x/y/A.java", true},
+      {"ray/**/*.java", "A.java", false},
+      {"ray/**/*.java", "x/ray/A.java", false},
+      {"**", "a/b/c", true},
+      {"**/ray/*", "a/b/ray/c", true},
+      {"**/ray/*", "a/b/ray/c/d", false},
+      {"?.c", "a.c", true},
+      {"?.c", "ab.c", false},
+      {"?.c", "/.c", false},
+      {"a*b", "a/b", false},
+      {"a**b", "axxb", true},
+      {"a**b", "a/b", false},
+      {"[ab].c", "a.c", true},
+      {"[ab].c", "c.c", false},
+      {"main.c", "main.c", true},
+      {"main.c", "x/main.c", false},
+      {"**/**/*.c", "a.c", true},
+      {"*/*/*.c", "a/b/c.c", true},
+      {"*/*/*.c", "a/c.c", false},
+      {"*", ".hidden", true},
   };
-  for (const auto& row : table) EXPECT_EQ(glob_matches(row.glob, row.path), row.matches) << row.glob << " and " << row.path;
+  for (const auto& row : table)
+    EXPECT_EQ(glob_matches(row.glob, row.path), row.matches) << row.glob << " and " << row.path;
 }
 
 class BuildCommandTest : public testing::Test {
@@ -65,7 +87,8 @@ TEST_F(BuildCommandTest, ANameThatLooksLikeAnOptionIsNone) {
 
 TEST_F(BuildCommandTest, StrangeNamesStayOneArgument) {
   for (const char* name : {"a b.c", "a\nb.c", "it's.c", "$(x).c", "{scene}.c"}) make(name);
-  EXPECT_THAT(build_command({"{sources:*.c}"}, folder_), ElementsAre("$(x).c", "a\nb.c", "a b.c", "it's.c", "{scene}.c"));
+  EXPECT_THAT(build_command({"{sources:*.c}"}, folder_),
+              ElementsAre("$(x).c", "a\nb.c", "a b.c", "it's.c", "{scene}.c"));
 }
 
 TEST_F(BuildCommandTest, AFolderIsNoSource) {
@@ -124,8 +147,8 @@ TEST(RenderCommand, FillsInEveryPlaceholder) {
   Runner runner;
   runner.render = {"./t", "{scene}", "-o{output}", "{folder}:{scene_name}", "{scene}{scene}", "{ }", "{"};
   const CasePaths paths = paths_with("data/", "{scene}.png");
-  EXPECT_THAT(render_command(runner, paths),
-              ElementsAre("./t", "data/ball.xml", "-odata/ball.xml.png", "data:ball.xml", "data/ball.xmldata/ball.xml", "{ }", "{"));
+  EXPECT_THAT(render_command(runner, paths), ElementsAre("./t", "data/ball.xml", "-odata/ball.xml.png", "data:ball.xml",
+                                                         "data/ball.xmldata/ball.xml", "{ }", "{"));
 }
 
 TEST(GlobMatches, ManyDoubleStarsAreNotExponential) {

@@ -21,17 +21,22 @@ class TreeCopier {
   explicit TreeCopier(Pictures pictures) : pictures_(pictures) {}
 
   void copy(const fs::path& from, const fs::path& to, const fs::path& name, int depth) {
-    if (depth > kDeepest) throw InputError({}, "the submission's folders are nested more than " + std::to_string(kDeepest) + " deep");
+    if (depth > kDeepest)
+      throw InputError({}, "the submission's folders are nested more than " + std::to_string(kDeepest) + " deep");
     fs::create_directories(to);
     for (const auto& entry : fs::directory_iterator(from)) {
       if (++entries_ > kMostEntries) throw InputError({}, "the submission has more than 100,000 files and folders");
       const fs::path target = to / entry.path().filename();
       const fs::path entry_name = name / entry.path().filename();
       const fs::file_status status = entry.symlink_status();
-      if (fs::is_directory(status)) copy(entry.path(), target, entry_name, depth + 1);
-      else if (!fs::is_regular_file(status)) left_out_.not_ordinary.push_back(entry_name.generic_string());
-      else if (pictures_ == Pictures::leave_out && is_picture(entry_name)) ++left_out_.pictures;
-      else copy_file(entry.path(), target);
+      if (fs::is_directory(status))
+        copy(entry.path(), target, entry_name, depth + 1);
+      else if (!fs::is_regular_file(status))
+        left_out_.not_ordinary.push_back(entry_name.generic_string());
+      else if (pictures_ == Pictures::leave_out && is_picture(entry_name))
+        ++left_out_.pictures;
+      else
+        copy_file(entry.path(), target);
     }
   }
 
@@ -60,8 +65,10 @@ LeftOut copy_tree(const fs::path& from, const fs::path& to, Pictures pictures) {
 }
 
 bool is_picture(const fs::path& file) {
-  constexpr std::array<std::string_view, 9> kEndings{".png", ".ppm", ".exr", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff"};
-  return std::ranges::any_of(kEndings, [&](std::string_view ending) { return equal_ignoring_case(file.extension().string(), ending); });
+  constexpr std::array<std::string_view, 9> kEndings{".png", ".ppm", ".exr", ".jpg", ".jpeg",
+                                                     ".bmp", ".gif", ".tif", ".tiff"};
+  return std::ranges::any_of(
+      kEndings, [&](std::string_view ending) { return equal_ignoring_case(file.extension().string(), ending); });
 }
 
 }  // namespace plumb

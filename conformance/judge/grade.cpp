@@ -31,7 +31,9 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 
 /// Quoted where a shell would read something into it.
 std::string shell_word(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/-") == std::string::npos;
+  const bool plain =
+      !word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/-") == std::string::npos;
   if (plain) return word;
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
@@ -39,18 +41,27 @@ std::string shell_word(const std::string& word) {
 }
 
 void check_request(const GradeRequest& request) {
-  if (!fs::is_directory(request.submission)) throw InputError({request.submission.string()}, "the submission is no folder");
-  if (lies_in(request.out, request.submission)) throw InputError({request.out.string()}, "the results would lie inside the submission, expected --out elsewhere");
-  if (lies_in(request.submission, request.out)) throw InputError({request.out.string()}, "the submission lies inside the folder for the results, expected --out elsewhere");
+  if (!fs::is_directory(request.submission))
+    throw InputError({request.submission.string()}, "the submission is no folder");
+  if (lies_in(request.out, request.submission))
+    throw InputError({request.out.string()}, "the results would lie inside the submission, expected --out elsewhere");
+  if (lies_in(request.submission, request.out))
+    throw InputError({request.out.string()},
+                     "the submission lies inside the folder for the results, expected --out elsewhere");
   for (const SuiteCase& c : request.suite.cases) {
-    if (lies_in(c.reference, request.submission)) throw InputError({c.reference.string()}, "this reference lies inside the submission, which would see it");
+    if (lies_in(c.reference, request.submission))
+      throw InputError({c.reference.string()}, "this reference lies inside the submission, which would see it");
     read_reference(c.reference);  // a broken one is found now, not in the middle of a class
   }
 }
 
 class Grader {
  public:
-  explicit Grader(const GradeRequest& request) : request_(request), suite_(request.suite), results_(request.out, request.plumb_version), selected_(selected_cases(suite_, request.filter)) {}
+  explicit Grader(const GradeRequest& request)
+      : request_(request),
+        suite_(request.suite),
+        results_(request.out, request.plumb_version),
+        selected_(selected_cases(suite_, request.filter)) {}
 
   ResultSet run() {
     set_.suite_id = suite_.id;
@@ -66,8 +77,10 @@ class Grader {
       if (!selected_.contains(i)) continue;
       CaseResult& result = set_.cases[i];
       result.internal_message = prepare_message_;
-      if (fault) result.check = *fault;
-      else judge(suite_.cases[i], result);
+      if (fault)
+        result.check = *fault;
+      else
+        judge(suite_.cases[i], result);
       settle_points(suite_.cases[i], result);
       results_.write_case(result);
     }
@@ -111,14 +124,18 @@ class Grader {
       workspace_.seal_build();
       return std::nullopt;
     } catch (const fs::filesystem_error&) {
-      return all_fail("the build left something behind that is no ordinary file or folder, or removed its own folder", "let the build write ordinary files only, below the folder it starts in");
+      return all_fail("the build left something behind that is no ordinary file or folder, or removed its own folder",
+                      "let the build write ordinary files only, below the folder it starts in");
     }
   }
 
   void note_left_out() {
     const LeftOut& left_out = workspace_.left_out();
-    if (left_out.pictures > 0) set_.notes.push_back(fmt::format("{} picture{} of the submission left out", left_out.pictures, left_out.pictures == 1 ? "" : "s"));
-    for (const std::string& name : left_out.not_ordinary) set_.notes.push_back("left out, as it is no ordinary file: " + name);
+    if (left_out.pictures > 0)
+      set_.notes.push_back(
+          fmt::format("{} picture{} of the submission left out", left_out.pictures, left_out.pictures == 1 ? "" : "s"));
+    for (const std::string& name : left_out.not_ordinary)
+      set_.notes.push_back("left out, as it is no ordinary file: " + name);
   }
 
   void choose_runner() {
@@ -164,7 +181,8 @@ class Grader {
     result.requirement = c.requirement;
     result.visibility = c.visibility;
     result.max_points = c.points;
-    result.repeat = fmt::format("plumb grade {} --suite {} --filter {}", shell_word(fs::weakly_canonical(request_.submission).filename().string()),
+    result.repeat = fmt::format("plumb grade {} --suite {} --filter {}",
+                                shell_word(fs::weakly_canonical(request_.submission).filename().string()),
                                 shell_word(suite_.file.filename().string()), c.id);
     return result;
   }
@@ -175,14 +193,16 @@ class Grader {
       return;
     }
     if (seconds_left() <= 0) {
-      result.check = stop(Verdict::timeout, "budget_spent", "the time for all cases together was spent", "make the slow cases faster");
+      result.check = stop(Verdict::timeout, "budget_spent", "the time for all cases together was spent",
+                          "make the slow cases faster");
       return;
     }
     for (const std::size_t p : c.prerequisites) {
       const CaseResult& prerequisite = set_.cases[p];
       if (is_right(prerequisite.check.verdict)) continue;
       result.check = stop(Verdict::skipped, "prerequisite", "not judged: '" + prerequisite.id + "' comes first",
-                          prerequisite.pending ? "a person has to look at '" + prerequisite.id + "' first" : "fix '" + prerequisite.id + "' first");
+                          prerequisite.pending ? "a person has to look at '" + prerequisite.id + "' first"
+                                               : "fix '" + prerequisite.id + "' first");
       result.pending = prerequisite.pending;
       return;
     }
@@ -195,13 +215,17 @@ class Grader {
     }
   }
 
-  double seconds_left() const { return suite_.total_seconds - std::chrono::duration<double>(Clock::now() - begin_).count(); }
-
-  static CheckResult internal_error() {
-    return stop(Verdict::internal_error, "internal", "a fault of the grader, not of the submission (see usage.json)", "a person has to look at this case; it costs no points");
+  double seconds_left() const {
+    return suite_.total_seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  static CheckResult stop(Verdict verdict, const std::string& cause, const std::string& summary, const std::string& advice) {
+  static CheckResult internal_error() {
+    return stop(Verdict::internal_error, "internal", "a fault of the grader, not of the submission (see usage.json)",
+                "a person has to look at this case; it costs no points");
+  }
+
+  static CheckResult stop(Verdict verdict, const std::string& cause, const std::string& summary,
+                          const std::string& advice) {
     CheckResult result = all_fail(summary, advice);
     result.verdict = verdict;
     result.cause = cause;
@@ -260,7 +284,8 @@ std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filt
   while (!open.empty()) {
     const std::size_t i = open.back();
     open.pop_back();
-    if (selected.insert(i).second) open.insert(open.end(), suite.cases[i].prerequisites.begin(), suite.cases[i].prerequisites.end());
+    if (selected.insert(i).second)
+      open.insert(open.end(), suite.cases[i].prerequisites.begin(), suite.cases[i].prerequisites.end());
   }
   return selected;
 }

@@ -24,15 +24,16 @@ struct GradeRequest {
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
-/// Builds the submission once, runs and judges each case, and writes the result set. Cases run cheapest first, after their prerequisites.
-/// What the submission does wrong is a verdict; nothing that it does ends the grading. An interrupt (interrupt_flag) leaves the remaining cases
-/// skipped, pending, with the cause `interrupted`.
+/// Builds the submission once, runs and judges each case, and writes the result set. Cases run cheapest first, after
+/// their prerequisites. What the submission does wrong is a verdict; nothing that it does ends the grading. An
+/// interrupt (interrupt_flag) leaves the remaining cases skipped, pending, with the cause `interrupted`.
 ///
-/// Throws InputError for what the caller got wrong: the submission is no folder, the results would lie inside it or it inside them, a filter that
-/// matches nothing, a program of the suite's commands that is not installed.
+/// Throws InputError for what the caller got wrong: the submission is no folder, the results would lie inside it or it
+/// inside them, a filter that matches nothing, a program of the suite's commands that is not installed.
 ResultSet grade(const GradeRequest& request);
 
-/// The places of the cases whose id matches a GLOB (all for an empty one), and of those that they require. Throws InputError if none matches.
+/// The places of the cases whose id matches a GLOB (all for an empty one), and of those that they require. Throws
+/// InputError if none matches.
 std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filter);
 
 /// The places of the cases in the order that they are run in.

@@ -11,11 +11,13 @@ using GradeFaultsTest = GradeRulesTest;
 
 TEST_F(GradeFaultsTest, ABrokenOwnCommandIsTheSubmissionsFault) {
   int broken = 0;
-  for (const char* text : {"[runner]\nrender = [\"\"]\n", "[runner]\nrender = [\"a\\u0000b\"]\n", "[runner]\nbuild = [[\"\"]]\nrender = [\"x\"]\n",
-                           "[runner]\nbuild = [[\"mkfifo\", \"p\"]]\nrender = [\"x\"]\n",
-                           "[runner]\nbuild = [[\"/bin/sh\", \"-c\", \"rm -rf ../build\"]]\nrender = [\"x\"]\n"}) {
+  for (const char* text :
+       {"[runner]\nrender = [\"\"]\n", "[runner]\nrender = [\"a\\u0000b\"]\n",
+        "[runner]\nbuild = [[\"\"]]\nrender = [\"x\"]\n", "[runner]\nbuild = [[\"mkfifo\", \"p\"]]\nrender = [\"x\"]\n",
+        "[runner]\nbuild = [[\"/bin/sh\", \"-c\", \"rm -rf ../build\"]]\nrender = [\"x\"]\n"}) {
     write("sub/submission.toml", text);
-    EXPECT_THAT(outcomes(grade_by(suite("own_runner = true", "") + a_case("a"))), ElementsAre("a: fail (build)")) << text;
+    EXPECT_THAT(outcomes(grade_by(suite("own_runner = true", "") + a_case("a"))), ElementsAre("a: fail (build)"))
+        << text;
     ++broken;
   }
   EXPECT_EQ(broken, 5);
@@ -34,7 +36,8 @@ TEST_F(GradeFaultsTest, ARelativeOutInsideTheSubmissionIsRefused) {
 TEST_F(GradeFaultsTest, NeighboursOfTheResultsAreNotLost) {
   for (const char* name : {"out.older/mine.txt", "out.partial/mine.txt"}) write(name, "");
   EXPECT_THAT(outcomes(grade_by(suite() + a_case("a"))), ElementsAre("a: pass"));
-  for (const char* name : {"out.older/mine.txt", "out.partial/mine.txt"}) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  for (const char* name : {"out.older/mine.txt", "out.partial/mine.txt"})
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
 }
 
 TEST_F(GradeFaultsTest, SomebodyElsesResultsAreNotReplaced) {
@@ -46,13 +49,15 @@ TEST_F(GradeFaultsTest, SomebodyElsesResultsAreNotReplaced) {
 TEST_F(GradeFaultsTest, AnOlderResultSetIsReplacedAndNothingIsLeftBeside) {
   for (int run = 0; run < 2; ++run) EXPECT_THAT(outcomes(grade_by(suite() + a_case("a"))), ElementsAre("a: pass"));
   int beside = 0;
-  for (const auto& entry : fs::directory_iterator(folder_)) beside += entry.path().filename().string().starts_with("out.");
+  for (const auto& entry : fs::directory_iterator(folder_))
+    beside += entry.path().filename().string().starts_with("out.");
   EXPECT_EQ(beside, 0);
 }
 
 TEST_F(GradeFaultsTest, InputsAreNoOutput) {
   write("big.dat", std::string(2'000'000, 'x'));
-  EXPECT_THAT(outcomes(grade_by(suite() + a_case("a", "inputs = [\"big.dat\"]\noutput_mb = 1"))), ElementsAre("a: pass"));
+  EXPECT_THAT(outcomes(grade_by(suite() + a_case("a", "inputs = [\"big.dat\"]\noutput_mb = 1"))),
+              ElementsAre("a: pass"));
 }
 
 TEST_F(GradeFaultsTest, WhatComesAfterAnInterruptedCaseIsInterruptedToo) {
@@ -79,7 +84,8 @@ TEST_F(GradeFaultsTest, ADestroyedWorkspaceIsSecurityForEveryCaseAfterwards) {
 
 TEST_F(GradeFaultsTest, TheTimeForAllCasesHoldsForTheBuildToo) {
   write("sub/submission.toml", "[runner]\nbuild = [[\"sleep\", \"600\"]]\nrender = [\"x\"]\n");
-  EXPECT_THAT(outcomes(grade_by(suite("own_runner = true\ntotal_seconds = 1", "") + a_case("a"))), ElementsAre("a: fail (build)"));
+  EXPECT_THAT(outcomes(grade_by(suite("own_runner = true\ntotal_seconds = 1", "") + a_case("a"))),
+              ElementsAre("a: fail (build)"));
 }
 
 TEST_F(GradeFaultsTest, AHugeSubmissionIsRefused) {

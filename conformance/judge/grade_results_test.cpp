@@ -41,11 +41,15 @@ class GradeResultsTest : public testing::Test {
     fs::copy_file(folder_ / "ref.png", folder_ / "sub/answer");
     write_png(kOther, 2, 1, folder_ / "other.png");
     fs::rename(folder_ / "other.png", folder_ / "sub/other");
-    std::string suite = "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\nvariants = [\"v\"]\n[runner]\nbuild = [[\"true\"]]\nrender = [\"/bin/sh\", \"render.sh\", \"{scene_name}\", \"{output}\"]\n";
+    std::string suite =
+        "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\nvariants = [\"v\"]\n[runner]\nbuild = [[\"true\"]]\nrender "
+        "= [\"/bin/sh\", \"render.sh\", \"{scene_name}\", \"{output}\"]\n";
     std::string script = "pwd; date +%N; cat answer >/dev/null\ncase $1 in\n";
     for (const auto& [id, command] : commands_) {
       write(id + ".txt", id);
-      suite += "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nreference = \"ref.png\"\nrequirement = \"r\"\nwall_seconds = 1.5\n" + (id == "skipped" ? "requires = [\"late\"]\n" : "");
+      suite += "[[case]]\nid = \"" + id + "\"\nscene = \"" + id +
+               ".txt\"\nreference = \"ref.png\"\nrequirement = \"r\"\nwall_seconds = 1.5\n" +
+               (id == "skipped" ? "requires = [\"late\"]\n" : "");
       script += id + ".txt) " + command + " ;;\n";
     }
     write("suite.toml", suite);
@@ -57,7 +61,9 @@ class GradeResultsTest : public testing::Test {
     fs::remove_all(folder_, ignored);
   }
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
 
   ResultSet grade_to(const fs::path& out) const {
     GradeRequest request;
@@ -69,9 +75,16 @@ class GradeResultsTest : public testing::Test {
   }
   nlohmann::json read_json(const fs::path& file) const { return nlohmann::json::parse(content(file)); }
 
-  const std::map<std::string, std::string> commands_{
-      {"crash", "kill -SEGV $$"}, {"cut", "head -c 60 answer > \"$2\""}, {"late", "sleep 100"}, {"link", "ln -s /etc/hostname \"$2\""}, {"none", "exit 9"},
-      {"other", "cp other \"$2\""}, {"right", "cp answer \"$2\""}, {"skipped", "true"}, {"status", "cp answer \"$2\"; exit 1"}, {"text", "echo no picture > \"$2\""}};
+  const std::map<std::string, std::string> commands_{{"crash", "kill -SEGV $$"},
+                                                     {"cut", "head -c 60 answer > \"$2\""},
+                                                     {"late", "sleep 100"},
+                                                     {"link", "ln -s /etc/hostname \"$2\""},
+                                                     {"none", "exit 9"},
+                                                     {"other", "cp other \"$2\""},
+                                                     {"right", "cp answer \"$2\""},
+                                                     {"skipped", "true"},
+                                                     {"status", "cp answer \"$2\"; exit 1"},
+                                                     {"text", "echo no picture > \"$2\""}};
   fs::path home_;
   fs::path folder_;
 };
@@ -102,8 +115,9 @@ TEST_F(GradeResultsTest, HoldNoPlaceNoTimeAndNoHost) {
   ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
   std::string all = content(folder_ / "out/results.json");
   for (const auto& [id, command] : commands_) all += content(folder_ / "out/cases" / id / "case.json");
-  for (const std::string& word : {folder_.string(), fs::temp_directory_path().string() + "/", std::string("/tmp"), std::string("/work"), std::string("/home"), std::string(host.data()),
-                                  std::string("cpu_seconds"), std::string("plumb-")})
+  for (const std::string& word :
+       {folder_.string(), fs::temp_directory_path().string() + "/", std::string("/tmp"), std::string("/work"),
+        std::string("/home"), std::string(host.data()), std::string("cpu_seconds"), std::string("plumb-")})
     EXPECT_THAT(all, Not(HasSubstr(word)));
 }
 
@@ -119,9 +133,13 @@ TEST_F(GradeResultsTest, SayWhatWasFound) {
   EXPECT_EQ(json["totals"]["points"], 2);
   EXPECT_EQ(json["totals"]["max_points"], 10);
   ASSERT_EQ(json["cases"].size(), commands_.size());
-  const std::map<std::string, std::string> expected{{"crash", "crash/signal"}, {"cut", "fail/bad_picture"}, {"late", "timeout/wall_time"}, {"link", "security/link"}, {"none", "fail/no_picture"},
-                                                    {"other", "fail/different"}, {"right", "pass/"}, {"skipped", "skipped/prerequisite"}, {"status", "quality_warning/exit_status"}, {"text", "fail/bad_picture"}};
-  for (const nlohmann::json& c : json["cases"]) EXPECT_EQ(c["verdict"].get<std::string>() + "/" + c["cause"].get<std::string>(), expected.at(c["id"])) << c["id"];
+  const std::map<std::string, std::string> expected{
+      {"crash", "crash/signal"},   {"cut", "fail/bad_picture"},         {"late", "timeout/wall_time"},
+      {"link", "security/link"},   {"none", "fail/no_picture"},         {"other", "fail/different"},
+      {"right", "pass/"},          {"skipped", "skipped/prerequisite"}, {"status", "quality_warning/exit_status"},
+      {"text", "fail/bad_picture"}};
+  for (const nlohmann::json& c : json["cases"])
+    EXPECT_EQ(c["verdict"].get<std::string>() + "/" + c["cause"].get<std::string>(), expected.at(c["id"])) << c["id"];
 }
 
 TEST_F(GradeResultsTest, ACaseHoldsItsEvidence) {
@@ -183,7 +201,9 @@ TEST_F(GradeResultsTest, ASubmissionWithAStrangeNameIsStillJson) {
 }
 
 TEST_F(GradeResultsTest, NothingOfTheReferencesIsReachableByName) {
-  write("sub/render.sh", "find -L . .. ../.. ../../.. -maxdepth 6 2>/dev/null; env; for f in $(find .. -type f); do cat \"$f\"; done; echo end of list\n");
+  write("sub/render.sh",
+        "find -L . .. ../.. ../../.. -maxdepth 6 2>/dev/null; env; for f in $(find .. -type f); do cat \"$f\"; done; "
+        "echo end of list\n");
   GradeRequest request;
   request.submission = folder_ / "sub";
   request.suite = read_suite(folder_ / "suite.toml");
@@ -193,7 +213,8 @@ TEST_F(GradeResultsTest, NothingOfTheReferencesIsReachableByName) {
   const std::string log = content(folder_ / "out/cases/right/log.txt");
   ASSERT_THAT(log, HasSubstr("end of list"));
   ASSERT_THAT(log, HasSubstr("./right.txt")) << "the list holds what is there";
-  for (const char* hidden : {"ref.png", "reference", "suite.toml", "results", "crash.txt"}) EXPECT_THAT(log, Not(HasSubstr(hidden)));
+  for (const char* hidden : {"ref.png", "reference", "suite.toml", "results", "crash.txt"})
+    EXPECT_THAT(log, Not(HasSubstr(hidden)));
   EXPECT_THAT(log, Not(HasSubstr(folder_.string())));
 }
 

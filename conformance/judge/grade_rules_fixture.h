@@ -20,7 +20,8 @@ namespace plumb {
 
 namespace fs = std::filesystem;
 
-/// A submission whose render.sh gets scene and output, and suites of several cases over the scenes a.txt, b.txt and so on.
+/// A submission whose render.sh gets scene and output, and suites of several cases over the scenes a.txt, b.txt and so
+/// on.
 class GradeRulesTest : public testing::Test {
  protected:
   GradeRulesTest() {
@@ -46,11 +47,14 @@ class GradeRulesTest : public testing::Test {
     fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
-  static std::string suite(const std::string& keys = "", const std::string& runner = "render = [\"/bin/sh\", \"render.sh\", \"{scene}\", \"{output}\"]") {
+  static std::string suite(
+      const std::string& keys = "",
+      const std::string& runner = "render = [\"/bin/sh\", \"render.sh\", \"{scene}\", \"{output}\"]") {
     return "[suite]\nid = \"s\"\nschema = 1\n" + keys + "\n" + (runner.empty() ? "" : "[runner]\n" + runner + "\n");
   }
   static std::string a_case(const std::string& id, const std::string& keys = "") {
-    return "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nreference = \"ref.png\"\npoints = 10\n" + keys + "\n";
+    return "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nreference = \"ref.png\"\npoints = 10\n" + keys +
+           "\n";
   }
   GradeRequest request(const std::string& text) const {
     write("suite.toml", text);
@@ -67,7 +71,9 @@ class GradeRulesTest : public testing::Test {
 
 inline std::vector<std::string> outcomes(const ResultSet& results) {
   std::vector<std::string> texts;
-  for (const CaseResult& c : results.cases) texts.push_back(c.id + ": " + std::string(to_string(c.check.verdict)) + (c.check.cause.empty() ? "" : " (" + c.check.cause + ")"));
+  for (const CaseResult& c : results.cases)
+    texts.push_back(c.id + ": " + std::string(to_string(c.check.verdict)) +
+                    (c.check.cause.empty() ? "" : " (" + c.check.cause + ")"));
   return texts;
 }
 

@@ -23,18 +23,23 @@ constexpr std::array<std::string_view, 1> kKinds{"image"};
 
 /// Ids name folders of the results, so they are plain file names.
 bool is_plain_name(std::string_view name) {
-  return !name.empty() && name.size() <= 100 && name.front() != '.' && name.front() != '-' && std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
-  });
+  return !name.empty() && name.size() <= 100 && name.front() != '.' && name.front() != '-' &&
+         std::ranges::all_of(name, [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' ||
+                  c == '_';
+         });
 }
 
 std::string plain_name(TomlFields& fields, std::string_view key) {
   const std::string name = fields.text(key);
-  if (!is_plain_name(name)) fields.fail(key, "is '" + name + "', expected a name of letters, digits, '-', '_' and '.', not beginning with '.' or '-'");
+  if (!is_plain_name(name))
+    fields.fail(
+        key, "is '" + name + "', expected a name of letters, digits, '-', '_' and '.', not beginning with '.' or '-'");
   return name;
 }
 
-std::string one_of(TomlFields& fields, std::string_view key, std::string_view otherwise, std::span<const std::string_view> names) {
+std::string one_of(TomlFields& fields, std::string_view key, std::string_view otherwise,
+                   std::span<const std::string_view> names) {
   const std::string value = fields.text(key, otherwise);
   if (std::ranges::find(names, value) == names.end()) {
     std::string expected;
@@ -46,14 +51,17 @@ std::string one_of(TomlFields& fields, std::string_view key, std::string_view ot
 
 class SuiteReader {
  public:
-  explicit SuiteReader(const fs::path& file) : table_(read_toml(file)), folder_(fs::absolute(file).parent_path()) { suite_.file = file; }
+  explicit SuiteReader(const fs::path& file) : table_(read_toml(file)), folder_(fs::absolute(file).parent_path()) {
+    suite_.file = file;
+  }
 
   Suite read() {
     check_top_level_keys();
     TomlFields top(table_, suite_.file, "the suite");
     read_suite_table(table_of(top, "suite"));
     if (top.has("runner")) read_runner_table(table_of(top, "runner"));
-    if (!suite_.has_runner && !suite_.own_runner) top.fail("runner", "is missing, expected a table with 'render', or own_runner = true in [suite]");
+    if (!suite_.has_runner && !suite_.own_runner)
+      top.fail("runner", "is missing, expected a table with 'render', or own_runner = true in [suite]");
     read_cases(top);
     check_overlay();
     suite_.hash = suite_hash(suite_);
@@ -82,7 +90,8 @@ class SuiteReader {
 
   void read_runner_table(const toml::table& table) {
     TomlFields fields(table, suite_.file, "[runner]");
-    // A suite whose submissions bring their own commands may still say where their root is and how long a build may take.
+    // A suite whose submissions bring their own commands may still say where their root is and how long a build may
+    // take.
     suite_.has_runner = fields.has("render") || fields.has("build") || !suite_.own_runner;
     if (suite_.has_runner) suite_.runner = read_runner_fields(fields);
     suite_.root_marker = fields.text("root_marker", "");
@@ -91,7 +100,8 @@ class SuiteReader {
     if (fields.has("overlay")) {
       const std::string overlay = fields.text("overlay");
       suite_.overlay = (folder_ / overlay).lexically_normal();
-      if (overlay.empty() || !fs::is_directory(suite_.overlay)) fields.fail("overlay", "names a folder that does not exist: '" + suite_.overlay.string() + "'");
+      if (overlay.empty() || !fs::is_directory(suite_.overlay))
+        fields.fail("overlay", "names a folder that does not exist: '" + suite_.overlay.string() + "'");
     }
     fields.finish();
   }
@@ -110,12 +120,16 @@ class SuiteReader {
       for (const std::string& id : requires_ids[i]) {
         const auto found = std::ranges::find(ids, id);
         const SourceLocation where = location(suite_.file, *cases->get(i));
-        if (found == ids.end()) throw InputError(where, "case '" + suite_.cases[i].id + "' requires '" + id + "', which is no case of this suite" + did_you_mean(id, ids));
+        if (found == ids.end())
+          throw InputError(where, "case '" + suite_.cases[i].id + "' requires '" + id +
+                                      "', which is no case of this suite" + did_you_mean(id, ids));
         suite_.cases[i].prerequisites.push_back(static_cast<std::size_t>(found - ids.begin()));
       }
     }
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (reaches(i, i)) throw InputError(location(suite_.file, *cases->get(i)), "case '" + suite_.cases[i].id + "' requires itself, directly or through others");
+      if (reaches(i, i))
+        throw InputError(location(suite_.file, *cases->get(i)),
+                         "case '" + suite_.cases[i].id + "' requires itself, directly or through others");
     }
   }
 
@@ -127,7 +141,8 @@ class SuiteReader {
       const std::size_t next = open.back();
       open.pop_back();
       if (next == to) return true;
-      if (seen.insert(next).second) open.insert(open.end(), suite_.cases[next].prerequisites.begin(), suite_.cases[next].prerequisites.end());
+      if (seen.insert(next).second)
+        open.insert(open.end(), suite_.cases[next].prerequisites.begin(), suite_.cases[next].prerequisites.end());
     }
     return false;
   }
@@ -136,7 +151,8 @@ class SuiteReader {
     TomlFields fields(table, suite_.file, "[[case]]");
     SuiteCase c;
     c.id = plain_name(fields, "id");
-    if (std::ranges::any_of(suite_.cases, [&](const SuiteCase& other) { return other.id == c.id; })) fields.fail("id", "is '" + c.id + "', which an earlier case has");
+    if (std::ranges::any_of(suite_.cases, [&](const SuiteCase& other) { return other.id == c.id; }))
+      fields.fail("id", "is '" + c.id + "', which an earlier case has");
     c.kind = one_of(fields, "kind", "image", kKinds);
     c.scene = existing_file(fields, "scene", fields.text("scene"));
     c.reference = existing_file(fields, "reference", fields.text("reference"));
@@ -161,7 +177,8 @@ class SuiteReader {
     if (std::ranges::find(c.inputs, c.scene) == c.inputs.end()) c.inputs.push_back(c.scene);
     std::set<fs::path> names;
     for (const fs::path& input : c.inputs)
-      if (!names.insert(input.filename()).second) fields.fail("inputs", "holds two files named '" + input.filename().string() + "'");
+      if (!names.insert(input.filename()).second)
+        fields.fail("inputs", "holds two files named '" + input.filename().string() + "'");
     if (std::ranges::any_of(c.inputs, [&](const fs::path& input) { return fs::equivalent(input, c.reference); })) {
       fields.fail("inputs", "holds the reference, which the submission must not see");
     }
@@ -172,9 +189,12 @@ class SuiteReader {
     if (suite_.overlay.empty()) return;
     for (const auto& entry : fs::recursive_directory_iterator(suite_.overlay)) {
       const SourceLocation where{suite_.file.string()};
-      if (entry.is_symlink() || (!entry.is_regular_file() && !entry.is_directory())) throw InputError(where, "the overlay holds '" + entry.path().string() + "', which is no ordinary file");
+      if (entry.is_symlink() || (!entry.is_regular_file() && !entry.is_directory()))
+        throw InputError(where, "the overlay holds '" + entry.path().string() + "', which is no ordinary file");
       for (const SuiteCase& c : suite_.cases)
-        if (entry.is_regular_file() && fs::equivalent(entry.path(), c.reference)) throw InputError(where, "the overlay holds the reference '" + c.reference.string() + "', which the submission must not see");
+        if (entry.is_regular_file() && fs::equivalent(entry.path(), c.reference))
+          throw InputError(where, "the overlay holds the reference '" + c.reference.string() +
+                                      "', which the submission must not see");
     }
   }
 
@@ -188,7 +208,9 @@ class SuiteReader {
     constexpr std::array<std::string_view, 3> kTables{"suite", "runner", "case"};
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(kTables, key.str()) != kTables.end()) continue;
-      throw InputError(location(suite_.file, node), "unknown key '" + std::string(key.str()) + "', expected [suite], [runner] or [[case]]" + did_you_mean(key.str(), kTables));
+      throw InputError(location(suite_.file, node), "unknown key '" + std::string(key.str()) +
+                                                        "', expected [suite], [runner] or [[case]]" +
+                                                        did_you_mean(key.str(), kTables));
     }
   }
 
@@ -206,7 +228,9 @@ Runner read_submission_runner(const fs::path& file) {
   const toml::table* runner = table.get_as<toml::table>("runner");
   if (!runner) throw InputError({file.string()}, "[runner] is missing, expected a table with 'render'");
   for (const auto& [key, node] : table)
-    if (key.str() != "runner") throw InputError(location(file, node), "unknown key '" + std::string(key.str()) + "', expected [runner] alone: limits and points are the suite's");
+    if (key.str() != "runner")
+      throw InputError(location(file, node), "unknown key '" + std::string(key.str()) +
+                                                 "', expected [runner] alone: limits and points are the suite's");
   TomlFields fields(*runner, file, "[runner]");
   Runner result = read_runner_fields(fields);
   fields.finish();

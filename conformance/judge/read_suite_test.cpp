@@ -21,15 +21,15 @@ using testing::Pair;
 
 /// The smallest suite; the line numbers of the errors below are those of this text.
 constexpr const char* kSuite =
-    "[suite]\n"                             // 1
-    "id = \"small\"\n"                      // 2
-    "schema = 1\n"                          // 3
-    "[runner]\n"                            // 4
+    "[suite]\n"                               // 1
+    "id = \"small\"\n"                        // 2
+    "schema = 1\n"                            // 3
+    "[runner]\n"                              // 4
     "render = [\"./tracer\", \"{scene}\"]\n"  // 5
-    "[[case]]\n"                            // 6
-    "id = \"a\"\n"                          // 7
-    "scene = \"scene.txt\"\n"               // 8
-    "reference = \"ref.png\"\n";            // 9
+    "[[case]]\n"                              // 6
+    "id = \"a\"\n"                            // 7
+    "scene = \"scene.txt\"\n"                 // 8
+    "reference = \"ref.png\"\n";              // 9
 
 class SuiteFolder : public testing::Test {
  protected:
@@ -37,7 +37,8 @@ class SuiteFolder : public testing::Test {
     std::string name = (fs::temp_directory_path() / "plumb-suite-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder for the test");
     folder_ = fs::canonical(name);
-    for (const char* file : {"scene.txt", "ref.png", "other.png", "mesh.msh", "more/mesh.msh", "staff/Main.java"}) write(file, file);
+    for (const char* file : {"scene.txt", "ref.png", "other.png", "mesh.msh", "more/mesh.msh", "staff/Main.java"})
+      write(file, file);
   }
   ~SuiteFolder() override {
     std::error_code ignored;
@@ -56,7 +57,8 @@ class SuiteFolder : public testing::Test {
   static std::string changed(const std::string& what, const std::string& by) {
     std::string text = kSuite;
     const std::size_t at = text.find(what);
-    if (at == std::string::npos || text.find(what, at + 1) != std::string::npos) throw std::logic_error("'" + what + "' is not there once");
+    if (at == std::string::npos || text.find(what, at + 1) != std::string::npos)
+      throw std::logic_error("'" + what + "' is not there once");
     return text.replace(at, what.size(), by);
   }
 
@@ -88,20 +90,30 @@ TEST_P(BadSuiteTest, IsRefusedAtItsPlace) {
   }
 }
 
-const std::string kUnknownPrerequisite = std::string("reference = \"ref.png\"\nrequires = [\"alpha\"]\n[[case]]\nid = \"alpha1\"\nscene = \"scene.txt\"\n") + "reference = \"ref.png\"\n";
-const std::string kCycle = std::string("reference = \"ref.png\"\nrequires = [\"b\"]\n[[case]]\nid = \"b\"\nrequires = [\"a\"]\nscene = \"scene.txt\"\n") + "reference = \"ref.png\"\n";
-const std::string kTwice = std::string("reference = \"ref.png\"\n[[case]]\nid = \"a\"\nscene = \"scene.txt\"\n") + "reference = \"ref.png\"\n";
+const std::string kUnknownPrerequisite =
+    std::string("reference = \"ref.png\"\nrequires = [\"alpha\"]\n[[case]]\nid = \"alpha1\"\nscene = \"scene.txt\"\n") +
+    "reference = \"ref.png\"\n";
+const std::string kCycle = std::string(
+                               "reference = \"ref.png\"\nrequires = [\"b\"]\n[[case]]\nid = \"b\"\nrequires = "
+                               "[\"a\"]\nscene = \"scene.txt\"\n") +
+                           "reference = \"ref.png\"\n";
+const std::string kTwice =
+    std::string("reference = \"ref.png\"\n[[case]]\nid = \"a\"\nscene = \"scene.txt\"\n") + "reference = \"ref.png\"\n";
 
 const BadSuite kBadSuites[] = {
     {"malformed", "schema = 1", "schema = ", 3, 10, "malformed TOML"},
     {"key_twice", "schema = 1", "schema = 1\nschema = 1", 4, 10, "malformed TOML"},
     {"no_suite", "[suite]", "[siute]", 1, 1, "did you mean 'suite'?"},
-    {"unknown_table", "[[case]]", "[runer]\n[[case]]", 6, 1, "unknown key 'runer', expected [suite], [runner] or [[case]]; did you mean 'runner'?"},
-    {"unknown_suite_key", "schema = 1", "schema = 1\nskiped = \"zero\"", 4, 10, "unknown key 'skiped' in [suite], expected dialect, id"},
+    {"unknown_table", "[[case]]", "[runer]\n[[case]]", 6, 1,
+     "unknown key 'runer', expected [suite], [runner] or [[case]]; did you mean 'runner'?"},
+    {"unknown_suite_key", "schema = 1", "schema = 1\nskiped = \"zero\"", 4, 10,
+     "unknown key 'skiped' in [suite], expected dialect, id"},
     {"unknown_suite_key_nearest", "schema = 1", "schema = 1\nskiped = \"zero\"", 4, 10, "did you mean 'skipped'?"},
     {"unknown_runner_key", "{scene}\"]", "{scene}\"]\nbiuld = []", 6, 9, "did you mean 'build'?"},
-    {"unknown_case_key", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ntolerence = 1", 9, 13, "unknown key 'tolerence' in [[case]]"},
-    {"unknown_case_key_nearest", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ntolerence = 1", 9, 13, "did you mean 'tolerance'?"},
+    {"unknown_case_key", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ntolerence = 1", 9, 13,
+     "unknown key 'tolerence' in [[case]]"},
+    {"unknown_case_key_nearest", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ntolerence = 1", 9, 13,
+     "did you mean 'tolerance'?"},
     {"no_suite_id", "id = \"small\"\n", "", 1, 1, "'id' of [suite] is missing"},
     {"no_schema", "schema = 1\n", "", 1, 1, "'schema' of [suite] must be 1"},
     {"schema_2", "schema = 1", "schema = 2", 3, 10, "must be 1, the version of this format"},
@@ -115,7 +127,8 @@ const BadSuite kBadSuites[] = {
     {"no_scene", "scene = \"scene.txt\"\n", "", 6, 1, "'scene' of [[case]] is missing"},
     {"no_reference_key", "reference = \"ref.png\"\n", "", 6, 1, "'reference' of [[case]] is missing"},
     {"case_is_table", "[[case]]", "[case]", 6, 1, "expected at least one [[case]]"},
-    {"no_case", "[[case]]\nid = \"a\"\nscene = \"scene.txt\"\nreference = \"ref.png\"\n", "", 1, 1, "'case' of the suite is missing"},
+    {"no_case", "[[case]]\nid = \"a\"\nscene = \"scene.txt\"\nreference = \"ref.png\"\n", "", 1, 1,
+     "'case' of the suite is missing"},
     {"id_number", "id = \"a\"", "id = 1", 7, 6, "'id' of [[case]] is no text"},
     {"id_empty", "id = \"a\"", "id = \"\"", 7, 6, "expected a name of letters"},
     {"id_climbs", "id = \"a\"", "id = \"../x\"", 7, 6, "is '../x', expected a name of letters"},
@@ -126,21 +139,32 @@ const BadSuite kBadSuites[] = {
     {"id_newline", "id = \"a\"", "id = \"x\\ny\"", 7, 6, "is 'x?y', expected a name of letters"},
     {"suite_id_climbs", "id = \"small\"", "id = \"../x\"", 2, 6, "'id' of [suite] is '../x'"},
     {"id_twice", "reference = \"ref.png\"\n", kTwice.c_str(), 11, 6, "is 'a', which an earlier case has"},
-    {"requires_unknown", "reference = \"ref.png\"\n", kUnknownPrerequisite.c_str(), 6, 1, "case 'a' requires 'alpha', which is no case of this suite; did you mean 'alpha1'?"},
-    {"requires_itself", "reference = \"ref.png\"", "reference = \"ref.png\"\nrequires = [\"a\"]", 6, 1, "case 'a' requires itself"},
-    {"requires_cycle", "reference = \"ref.png\"\n", kCycle.c_str(), 6, 1, "case 'a' requires itself, directly or through others"},
+    {"requires_unknown", "reference = \"ref.png\"\n", kUnknownPrerequisite.c_str(), 6, 1,
+     "case 'a' requires 'alpha', which is no case of this suite; did you mean 'alpha1'?"},
+    {"requires_itself", "reference = \"ref.png\"", "reference = \"ref.png\"\nrequires = [\"a\"]", 6, 1,
+     "case 'a' requires itself"},
+    {"requires_cycle", "reference = \"ref.png\"\n", kCycle.c_str(), 6, 1,
+     "case 'a' requires itself, directly or through others"},
     {"requires_text", "reference = \"ref.png\"", "reference = \"ref.png\"\nrequires = \"a\"", 10, 12, "is no list"},
-    {"missing_scene", "scene = \"scene.txt\"", "scene = \"gone.txt\"", 8, 9, "'scene' of [[case]] names a file that does not exist"},
+    {"missing_scene", "scene = \"scene.txt\"", "scene = \"gone.txt\"", 8, 9,
+     "'scene' of [[case]] names a file that does not exist"},
     {"scene_is_folder", "scene = \"scene.txt\"", "scene = \"more\"", 8, 9, "names a file that does not exist"},
-    {"missing_reference", "\"ref.png\"", "\"gone.png\"", 9, 13, "'reference' of [[case]] names a file that does not exist"},
-    {"missing_input", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ninputs = [\"gone.msh\"]", 9, 10, "'inputs' of [[case]] names a file that does not exist"},
+    {"missing_reference", "\"ref.png\"", "\"gone.png\"", 9, 13,
+     "'reference' of [[case]] names a file that does not exist"},
+    {"missing_input", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ninputs = [\"gone.msh\"]", 9, 10,
+     "'inputs' of [[case]] names a file that does not exist"},
     {"missing_overlay", "[runner]", "[runner]\noverlay = \"gone/\"", 5, 11, "names a folder that does not exist"},
     {"overlay_is_file", "[runner]", "[runner]\noverlay = \"ref.png\"", 5, 11, "names a folder that does not exist"},
-    {"inputs_of_one_name", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ninputs = [\"mesh.msh\", \"more/mesh.msh\"]", 9, 10, "holds two files named 'mesh.msh'"},
-    {"render_placeholder", "{scene}", "{scenes}", 5, 10, "holds '{scenes}', which stands for nothing here; expected {scene}, {scene_name}, {folder}, {output}; did you mean 'scene'?"},
+    {"inputs_of_one_name", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ninputs = [\"mesh.msh\", \"more/mesh.msh\"]",
+     9, 10, "holds two files named 'mesh.msh'"},
+    {"render_placeholder", "{scene}", "{scenes}", 5, 10,
+     "holds '{scenes}', which stands for nothing here; expected {scene}, {scene_name}, {folder}, {output}; did you "
+     "mean 'scene'?"},
     {"render_sources", "{scene}", "{sources:*.c}", 5, 10, "which stands for nothing here"},
-    {"build_placeholder", "[runner]", "[runner]\nbuild = [[\"cc\", \"{scene}\"]]", 5, 9, "holds '{scene}', which stands for nothing here"},
-    {"sources_inside", "[runner]", "[runner]\nbuild = [[\"cc\", \"-I{sources:*.c}\"]]", 5, 9, "expected {sources:GLOB} as an argument of its own"},
+    {"build_placeholder", "[runner]", "[runner]\nbuild = [[\"cc\", \"{scene}\"]]", 5, 9,
+     "holds '{scene}', which stands for nothing here"},
+    {"sources_inside", "[runner]", "[runner]\nbuild = [[\"cc\", \"-I{sources:*.c}\"]]", 5, 9,
+     "expected {sources:GLOB} as an argument of its own"},
     {"output_placeholder", "[runner]", "[runner]\noutput = \"{output}.png\"", 5, 10, "holds '{output}'"},
     {"build_no_shell", "[runner]", "[runner]\nbuild = [\"make all\"]", 5, 10, "there is no shell"},
     {"build_text", "[runner]", "[runner]\nbuild = \"make\"", 5, 9, "is no list of lists"},
@@ -150,32 +174,46 @@ const BadSuite kBadSuites[] = {
     {"output_absolute", "[runner]", "[runner]\noutput = \"/tmp/x.png\"", 5, 10, "expected a relative path"},
     {"output_empty", "[runner]", "[runner]\noutput = \"\"", 5, 10, "expected a relative path"},
     {"output_escapes", "[runner]", "[runner]\noutput = \"a/../../x.png\"", 5, 10, "expected a path that stays inside"},
-    {"output_is_no_picture", "[runner]", "[runner]\noutput = \"{scene}.jpg\"", 5, 10, "expected a picture: .png, .exr or .ppm"},
+    {"output_is_no_picture", "[runner]", "[runner]\noutput = \"{scene}.jpg\"", 5, 10,
+     "expected a picture: .png, .exr or .ppm"},
     {"scene_at_absolute", "[runner]", "[runner]\nscene_at = \"/tmp\"", 5, 12, "expected a relative path"},
     {"scene_at_escapes", "[runner]", "[runner]\nscene_at = \"../x\"", 5, 12, "expected a path that stays inside"},
     {"root_marker_absolute", "[runner]", "[runner]\nroot_marker = \"/x\"", 5, 15, "expected a relative path"},
     {"root_marker_escapes", "[runner]", "[runner]\nroot_marker = \"../x\"", 5, 15, "expected a path that stays inside"},
-    {"points_negative", "\"scene.txt\"", "\"scene.txt\"\npoints = -1", 9, 10, "'points' of [[case]] is not a number of at least 0"},
+    {"points_negative", "\"scene.txt\"", "\"scene.txt\"\npoints = -1", 9, 10,
+     "'points' of [[case]] is not a number of at least 0"},
     {"points_text", "\"scene.txt\"", "\"scene.txt\"\npoints = \"1\"", 9, 10, "'points' of [[case]] is not a number"},
     {"points_infinite", "\"scene.txt\"", "\"scene.txt\"\npoints = inf", 9, 10, "'points' of [[case]] is not a number"},
-    {"tolerance_negative", "\"scene.txt\"", "\"scene.txt\"\ntolerance = -0.5", 9, 13, "'tolerance' of [[case]] is not a number"},
-    {"tolerance_nan", "\"scene.txt\"", "\"scene.txt\"\ntolerance = nan", 9, 13, "'tolerance' of [[case]] is not a number"},
+    {"tolerance_negative", "\"scene.txt\"", "\"scene.txt\"\ntolerance = -0.5", 9, 13,
+     "'tolerance' of [[case]] is not a number"},
+    {"tolerance_nan", "\"scene.txt\"", "\"scene.txt\"\ntolerance = nan", 9, 13,
+     "'tolerance' of [[case]] is not a number"},
     {"cpu_zero", "\"scene.txt\"", "\"scene.txt\"\ncpu_seconds = 0", 9, 15, "'cpu_seconds' of [[case]] is not a number"},
-    {"wall_negative", "\"scene.txt\"", "\"scene.txt\"\nwall_seconds = -1", 9, 16, "'wall_seconds' of [[case]] is not a number"},
-    {"memory_zero", "\"scene.txt\"", "\"scene.txt\"\nmemory_mb = 0", 9, 13, "'memory_mb' of [[case]] is not a whole number from 1 to 1073741824"},
-    {"memory_absurd", "\"scene.txt\"", "\"scene.txt\"\nmemory_mb = 9223372036854775807", 9, 13, "'memory_mb' of [[case]]"},
+    {"wall_negative", "\"scene.txt\"", "\"scene.txt\"\nwall_seconds = -1", 9, 16,
+     "'wall_seconds' of [[case]] is not a number"},
+    {"memory_zero", "\"scene.txt\"", "\"scene.txt\"\nmemory_mb = 0", 9, 13,
+     "'memory_mb' of [[case]] is not a whole number from 1 to 1073741824"},
+    {"memory_absurd", "\"scene.txt\"", "\"scene.txt\"\nmemory_mb = 9223372036854775807", 9, 13,
+     "'memory_mb' of [[case]]"},
     {"reference_as_input", "\"scene.txt\"", "\"scene.txt\"\ninputs = [\"ref.png\"]", 9, 10, "holds the reference"},
-    {"memory_fraction", "\"scene.txt\"", "\"scene.txt\"\nmemory_mb = 1.5", 9, 13, "'memory_mb' of [[case]] is not a whole number"},
-    {"output_mb_negative", "\"scene.txt\"", "\"scene.txt\"\noutput_mb = -1", 9, 13, "'output_mb' of [[case]] is not a whole number"},
-    {"total_seconds_zero", "schema = 1", "schema = 1\ntotal_seconds = 0", 4, 17, "'total_seconds' of [suite] is not a number"},
-    {"build_seconds_zero", "[runner]", "[runner]\nbuild_seconds = 0", 5, 17, "'build_seconds' of [runner] is not a number"},
+    {"memory_fraction", "\"scene.txt\"", "\"scene.txt\"\nmemory_mb = 1.5", 9, 13,
+     "'memory_mb' of [[case]] is not a whole number"},
+    {"output_mb_negative", "\"scene.txt\"", "\"scene.txt\"\noutput_mb = -1", 9, 13,
+     "'output_mb' of [[case]] is not a whole number"},
+    {"total_seconds_zero", "schema = 1", "schema = 1\ntotal_seconds = 0", 4, 17,
+     "'total_seconds' of [suite] is not a number"},
+    {"build_seconds_zero", "[runner]", "[runner]\nbuild_seconds = 0", 5, 17,
+     "'build_seconds' of [runner] is not a number"},
     {"own_runner_text", "schema = 1", "schema = 1\nown_runner = \"true\"", 4, 14, "is neither true nor false"},
-    {"visibility", "\"scene.txt\"", "\"scene.txt\"\nvisibility = \"hiden\"", 9, 14, "is 'hiden', expected visible, hidden, after_due_date, after_published; did you mean 'hidden'?"},
+    {"visibility", "\"scene.txt\"", "\"scene.txt\"\nvisibility = \"hiden\"", 9, 14,
+     "is 'hiden', expected visible, hidden, after_due_date, after_published; did you mean 'hidden'?"},
     {"kind", "\"scene.txt\"", "\"scene.txt\"\nkind = \"probe\"", 9, 8, "is 'probe', expected image"},
-    {"skipped", "schema = 1", "schema = 1\nskipped = \"nought\"", 4, 11, "is 'nought', expected zero, excluded, manual"},
+    {"skipped", "schema = 1", "schema = 1\nskipped = \"nought\"", 4, 11,
+     "is 'nought', expected zero, excluded, manual"},
 };
 
-INSTANTIATE_TEST_SUITE_P(ReadSuite, BadSuiteTest, testing::ValuesIn(kBadSuites), [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(ReadSuite, BadSuiteTest, testing::ValuesIn(kBadSuites),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST_F(SuiteFolder, AMissingSuiteIsAnInputError) { EXPECT_THROW(read_suite(folder_ / "gone.toml"), InputError); }
 
@@ -212,10 +250,13 @@ TEST_F(SuiteFolder, DefaultsAreThoseOfTheFormat) {
 
 TEST_F(SuiteFolder, EveryValueIsTaken) {
   const Suite suite = read(
-      "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\nvariants = [\"x\", \"y\"]\ntotal_seconds = 7\nown_runner = true\nskipped = \"manual\"\n"
-      "[runner]\nbuild = [[\"cc\", \"{sources:*.c}\"], [\"true\"]]\nrender = [\"./t\", \"{folder}/{scene_name}\"]\nenv = { B = \"2\", A = \"1\" }\noutput = \"o.ppm\"\n"
+      "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\nvariants = [\"x\", \"y\"]\ntotal_seconds = 7\nown_runner = "
+      "true\nskipped = \"manual\"\n"
+      "[runner]\nbuild = [[\"cc\", \"{sources:*.c}\"], [\"true\"]]\nrender = [\"./t\", \"{folder}/{scene_name}\"]\nenv "
+      "= { B = \"2\", A = \"1\" }\noutput = \"o.ppm\"\n"
       "scene_at = \"data/\"\nroot_marker = \"m\"\noverlay = \"staff/\"\nbuild_seconds = 9\n"
-      "[[case]]\nid = \"a\"\nscene = \"scene.txt\"\ninputs = [\"mesh.msh\"]\nreference = \"ref.png\"\nrequirement = \"r\"\npoints = 2.5\nrequires = [\"b\"]\n"
+      "[[case]]\nid = \"a\"\nscene = \"scene.txt\"\ninputs = [\"mesh.msh\"]\nreference = \"ref.png\"\nrequirement = "
+      "\"r\"\npoints = 2.5\nrequires = [\"b\"]\n"
       "tolerance = 0\ncpu_seconds = 2\nmemory_mb = 3\noutput_mb = 4\nvisibility = \"hidden\"\n"
       "[[case]]\nid = \"b\"\nscene = \"scene.txt\"\nreference = \"ref.png\"\nwall_seconds = 5\n");
   EXPECT_EQ(suite.dialect, "d");
@@ -236,7 +277,8 @@ TEST_F(SuiteFolder, EveryValueIsTaken) {
 }
 
 TEST_F(SuiteFolder, WhereSubmissionsBringTheirCommandsTheSuiteNeedsNone) {
-  const Suite suite = read(changed("schema = 1\n[runner]\nrender = [\"./tracer\", \"{scene}\"]", "schema = 1\nown_runner = true\n[runner]\nroot_marker = \"m\""));
+  const Suite suite = read(changed("schema = 1\n[runner]\nrender = [\"./tracer\", \"{scene}\"]",
+                                   "schema = 1\nown_runner = true\n[runner]\nroot_marker = \"m\""));
   EXPECT_FALSE(suite.has_runner);
   EXPECT_EQ(suite.root_marker, "m");
 }

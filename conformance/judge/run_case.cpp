@@ -27,20 +27,29 @@ CheckResult stopped(Verdict verdict, const std::string& cause, const std::string
 std::optional<CheckResult> verdict_of_stop(const SuiteCase& c, const RunOutcome& run, bool cut_by_budget) {
   switch (run.reason) {
     case StopReason::exited:
-    case StopReason::cannot_start: return std::nullopt;
+    case StopReason::cannot_start:
+      return std::nullopt;
     case StopReason::signalled:
-      return stopped(Verdict::crash, "signal", fmt::format("the program was ended by signal {}", run.signal), "read log.txt, and run it in a debugger");
+      return stopped(Verdict::crash, "signal", fmt::format("the program was ended by signal {}", run.signal),
+                     "read log.txt, and run it in a debugger");
     case StopReason::cpu_limit:
-      return stopped(Verdict::timeout, "cpu_time", fmt::format("more than {:g} s of processor time", c.cpu_seconds), "look for an endless loop, or a search that tries every surface for each ray");
+      return stopped(Verdict::timeout, "cpu_time", fmt::format("more than {:g} s of processor time", c.cpu_seconds),
+                     "look for an endless loop, or a search that tries every surface for each ray");
     case StopReason::wall_limit:
-      if (cut_by_budget) return stopped(Verdict::timeout, "budget_spent", "the time for all cases together was spent", "make the slow cases faster");
-      return stopped(Verdict::timeout, "wall_time", fmt::format("more than {:g} s on the clock", c.wall_seconds), "the program waits for something: input, a window, a lock");
+      if (cut_by_budget)
+        return stopped(Verdict::timeout, "budget_spent", "the time for all cases together was spent",
+                       "make the slow cases faster");
+      return stopped(Verdict::timeout, "wall_time", fmt::format("more than {:g} s on the clock", c.wall_seconds),
+                     "the program waits for something: input, a window, a lock");
     case StopReason::memory_limit:
-      return stopped(Verdict::memory_limit, "memory", fmt::format("more than {} MiB of memory", c.memory_mb), "look for data that grows with every ray");
+      return stopped(Verdict::memory_limit, "memory", fmt::format("more than {} MiB of memory", c.memory_mb),
+                     "look for data that grows with every ray");
     case StopReason::output_limit:
-      return stopped(Verdict::output_limit, "output_size", fmt::format("more than {} MiB (or 100,000 files) written", c.output_mb), "write only the picture");
+      return stopped(Verdict::output_limit, "output_size",
+                     fmt::format("more than {} MiB (or 100,000 files) written", c.output_mb), "write only the picture");
     case StopReason::process_limit:
-      return stopped(Verdict::memory_limit, "processes", "too many processes and threads", "start no more threads than there are processors");
+      return stopped(Verdict::memory_limit, "processes", "too many processes and threads",
+                     "start no more threads than there are processors");
     case StopReason::interrupted:
       return stopped(Verdict::skipped, "interrupted", "grading was interrupted", "grade again");
   }
@@ -66,18 +75,24 @@ std::int64_t size_of_inputs(const SuiteCase& suite_case) {
 std::optional<double> measured_margin(const SuiteCase& c, const RunOutcome& run, bool cut_by_budget) {
   if (cut_by_budget && run.reason == StopReason::wall_limit) return std::nullopt;
   switch (run.reason) {
-    case StopReason::cpu_limit: return c.cpu_seconds - run.cpu_seconds;
-    case StopReason::wall_limit: return c.wall_seconds - run.wall_seconds;
-    case StopReason::memory_limit: return static_cast<double>((c.memory_mb << 20) - run.peak_memory_bytes);
-    default: return std::nullopt;
+    case StopReason::cpu_limit:
+      return c.cpu_seconds - run.cpu_seconds;
+    case StopReason::wall_limit:
+      return c.wall_seconds - run.wall_seconds;
+    case StopReason::memory_limit:
+      return static_cast<double>((c.memory_mb << 20) - run.peak_memory_bytes);
+    default:
+      return std::nullopt;
   }
 }
 
 }  // namespace
 
-void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& workspace, double seconds_left, const ResultFolder& results, CaseResult& result) {
+void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& workspace, double seconds_left,
+              const ResultFolder& results, CaseResult& result) {
   if (build_changed(workspace)) {  // by an earlier case, beyond repair
-    result.check = stopped(Verdict::security, "build_changed", "an earlier case destroyed the build", "write only beside the scene or where the assignment says");
+    result.check = stopped(Verdict::security, "build_changed", "an earlier case destroyed the build",
+                           "write only beside the scene or where the assignment says");
     return;
   }
   const Workspace::CaseFolder folder = workspace.make_case_folder(suite_case, runner);
@@ -96,12 +111,15 @@ void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& work
   const RunOutcome run = run_process(request);
   result.run = run;
   result.measured_margin = measured_margin(suite_case, run, budget_is_shorter);
-  for (const auto& input : suite_case.inputs) result.input_hashes.emplace_back(input.filename().string(), file_hash(input));
+  for (const auto& input : suite_case.inputs)
+    result.input_hashes.emplace_back(input.filename().string(), file_hash(input));
   const std::filesystem::path evidence = results.case_folder(suite_case.id);
   write_file_staged(evidence / "log.txt", run.log);
 
   if (build_changed(workspace)) {
-    result.check = stopped(Verdict::security, "build_changed", "the program changed its own build, which later cases would have run", "write only beside the scene or where the assignment says");
+    result.check = stopped(Verdict::security, "build_changed",
+                           "the program changed its own build, which later cases would have run",
+                           "write only beside the scene or where the assignment says");
   } else if (const auto stop = verdict_of_stop(suite_case, run, budget_is_shorter)) {
     result.check = *stop;
   } else {

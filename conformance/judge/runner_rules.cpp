@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 1> kBuildNames{"sources:GLOB"};
 constexpr std::string_view kSources = "{sources:";
 
 /// Braces that enclose a single word are placeholders; any other brace stands for itself.
-void check_placeholders(const TomlFields& fields, std::string_view key, std::string_view text, std::span<const std::string_view> names) {
+void check_placeholders(const TomlFields& fields, std::string_view key, std::string_view text,
+                        std::span<const std::string_view> names) {
   for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
     const std::size_t close = text.find('}', open);
     if (close == std::string_view::npos) return;
@@ -29,15 +30,19 @@ void check_placeholders(const TomlFields& fields, std::string_view key, std::str
       known = known || candidate == name;
       expected += (expected.empty() ? "{" : ", {") + std::string(candidate) + "}";
     }
-    if (!known) fields.fail(key, "holds '{" + std::string(name) + "}', which stands for nothing here; expected " + expected + did_you_mean(name, names));
+    if (!known)
+      fields.fail(key, "holds '{" + std::string(name) + "}', which stands for nothing here; expected " + expected +
+                           did_you_mean(name, names));
   }
 }
 
 void check_build(const TomlFields& fields, const std::vector<std::string>& command) {
-  if (command.empty() || command.front().empty()) fields.fail("build", "holds an empty command, expected [\"program\", \"argument\"]");
+  if (command.empty() || command.front().empty())
+    fields.fail("build", "holds an empty command, expected [\"program\", \"argument\"]");
   for (const std::string& argument : command) {
     if (argument.starts_with(kSources) && argument.ends_with('}')) continue;
-    if (argument.find(kSources) != std::string::npos) fields.fail("build", "holds '" + argument + "', expected {sources:GLOB} as an argument of its own");
+    if (argument.find(kSources) != std::string::npos)
+      fields.fail("build", "holds '" + argument + "', expected {sources:GLOB} as an argument of its own");
     check_placeholders(fields, "build", argument, kBuildNames);
   }
 }
@@ -49,14 +54,16 @@ Runner read_runner_fields(TomlFields& fields) {
   runner.build = fields.text_lists("build");
   for (const auto& command : runner.build) check_build(fields, command);
   runner.render = fields.texts("render");
-  if (runner.render.empty() || runner.render.front().empty()) fields.fail("render", "is missing or empty, expected [\"program\", \"{scene}\"]");
+  if (runner.render.empty() || runner.render.front().empty())
+    fields.fail("render", "is missing or empty, expected [\"program\", \"{scene}\"]");
   for (const std::string& argument : runner.render) check_placeholders(fields, "render", argument, kRenderNames);
   runner.env = fields.text_table("env");
   runner.output = fields.text("output", runner.output);
   check_placeholders(fields, "output", runner.output, kOutputNames);
   require_inner_path(fields, "output", runner.output);
   const std::string ending = fs::path(runner.output).extension().string();
-  if (ending != ".png" && ending != ".exr" && ending != ".ppm") fields.fail("output", "is '" + runner.output + "', expected a picture: .png, .exr or .ppm");
+  if (ending != ".png" && ending != ".exr" && ending != ".ppm")
+    fields.fail("output", "is '" + runner.output + "', expected a picture: .png, .exr or .ppm");
   runner.scene_at = fields.text("scene_at", "");
   if (!runner.scene_at.empty()) require_inner_path(fields, "scene_at", runner.scene_at);
   return runner;

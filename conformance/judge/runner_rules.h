@@ -10,7 +10,8 @@ namespace plumb {
 
 class TomlFields;
 
-/// The fields of a [runner] that say how a program is built and run; checks them, unknown placeholders included. Throws InputError.
+/// The fields of a [runner] that say how a program is built and run; checks them, unknown placeholders included. Throws
+/// InputError.
 Runner read_runner_fields(TomlFields& fields);
 
 /// Throws InputError at the key unless `path` is relative and stays below where it starts.

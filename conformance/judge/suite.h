@@ -10,7 +10,8 @@ namespace plumb {
 
 /// How a submission is built and run. Commands are argument lists; no shell reads them. In them stand for something:
 /// `{sources:GLOB}` (build only, a whole argument): the matching files of the submission, by name;
-/// `{scene}` the scene's path and `{folder}` its folder, relative to where the program runs; `{scene_name}` its file name;
+/// `{scene}` the scene's path and `{folder}` its folder, relative to where the program runs; `{scene_name}` its file
+/// name;
 /// `{output}` the path of the picture.
 struct Runner {
   std::vector<std::vector<std::string>> build;
@@ -65,7 +66,8 @@ struct Suite {
   bool has_runner = false;
   Runner runner;
   double build_seconds = 120;
-  /// A file that every submission has: its root is the folder this path starts from. Empty: the folder that is handed in.
+  /// A file that every submission has: its root is the folder this path starts from. Empty: the folder that is handed
+  /// in.
   std::string root_marker;
   /// A folder of staff files that replace those of the submission, absolute; empty for none.
   std::filesystem::path overlay;
@@ -74,12 +76,13 @@ struct Suite {
   std::string hash;
 };
 
-/// Reads and checks a suite. Paths in it are relative to its folder. Throws InputError, with line and column, for malformed TOML, an unknown,
-/// missing or unusable value, two cases of one id, a prerequisite that does not exist or depends on the case itself, and any file or
-/// folder that is missing: a missing reference fails here, never later.
+/// Reads and checks a suite. Paths in it are relative to its folder. Throws InputError, with line and column, for
+/// malformed TOML, an unknown, missing or unusable value, two cases of one id, a prerequisite that does not exist or
+/// depends on the case itself, and any file or folder that is missing: a missing reference fails here, never later.
 Suite read_suite(const std::filesystem::path& file);
 
-/// Reads the [runner] of a submission: build, render, env, output and scene_at, nothing that limits or decides. Throws InputError.
+/// Reads the [runner] of a submission: build, render, env, output and scene_at, nothing that limits or decides. Throws
+/// InputError.
 Runner read_submission_runner(const std::filesystem::path& file);
 
 }  // namespace plumb

@@ -22,7 +22,9 @@ namespace fs = std::filesystem;
 
 class Sha256 {
  public:
-  Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) { check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr)); }
+  Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
+  }
 
   void add(std::string_view bytes) { check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size())); }
 
@@ -49,7 +51,8 @@ std::string file_hash(const fs::path& file) {
   if (!stream) throw InputError({file.string()}, std::string("cannot read the file: ") + std::strerror(errno));
   Sha256 hash;
   std::array<char, 65536> chunk;
-  while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) hash.add({chunk.data(), static_cast<std::size_t>(stream.gcount())});
+  while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0)
+    hash.add({chunk.data(), static_cast<std::size_t>(stream.gcount())});
   if (stream.bad()) throw InputError({file.string()}, "cannot read the file to its end");
   return hash.hex();
 }
@@ -57,7 +60,9 @@ std::string file_hash(const fs::path& file) {
 std::string suite_hash(const Suite& suite) {
   // Names and hashes are lines, so that no two lists of files run together to the same bytes.
   Sha256 hash;
-  const auto add = [&](const fs::path& file, const fs::path& name) { hash.add(name.generic_string() + "\n" + file_hash(file) + "\n"); };
+  const auto add = [&](const fs::path& file, const fs::path& name) {
+    hash.add(name.generic_string() + "\n" + file_hash(file) + "\n");
+  };
   add(suite.file, suite.file.filename());
   for (const SuiteCase& c : suite.cases) {
     for (const fs::path& input : c.inputs) add(input, input.filename());

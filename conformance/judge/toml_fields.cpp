@@ -18,7 +18,8 @@ std::string in_quotes(std::string_view word) { return "'" + std::string(word) + 
 
 toml::table read_toml(const std::filesystem::path& file) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw InputError({file.string()}, "this is a folder, expected a TOML file");
+  if (std::filesystem::is_directory(file, error))
+    throw InputError({file.string()}, "this is a folder, expected a TOML file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError({file.string()}, std::string("cannot open the file: ") + std::strerror(errno));
   const std::string text(std::istreambuf_iterator<char>(stream), {});
@@ -87,12 +88,14 @@ double TomlFields::number(std::string_view key, double otherwise, double least) 
   const toml::node* node = find(key);
   if (!node) return otherwise;
   const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !std::isfinite(*value) || *value < least) fail(key, "is not a number of at least " + std::to_string(least));
+  if (!value || !std::isfinite(*value) || *value < least)
+    fail(key, "is not a number of at least " + std::to_string(least));
   return *value;
 }
 
 std::string TomlFields::checked(const std::string& text, const toml::node& node) const {
-  if (text.find('\0') != std::string::npos) throw InputError(location(file_, node), "this text holds a zero byte, which no command or file name can");
+  if (text.find('\0') != std::string::npos)
+    throw InputError(location(file_, node), "this text holds a zero byte, which no command or file name can");
   return text;
 }
 
@@ -101,7 +104,8 @@ std::vector<std::string> TomlFields::texts_of(std::string_view key, const toml::
   if (!array) fail(key, "is no list, expected [\"...\", \"...\"]");
   std::vector<std::string> texts;
   for (const toml::node& item : *array) {
-    if (!item.is_string()) throw InputError(location(file_, item), "an item of " + in_quotes(key) + " is no text, expected \"...\"");
+    if (!item.is_string())
+      throw InputError(location(file_, item), "an item of " + in_quotes(key) + " is no text, expected \"...\"");
     texts.push_back(checked(item.as_string()->get(), item));
   }
   return texts;
@@ -119,7 +123,10 @@ std::vector<std::vector<std::string>> TomlFields::text_lists(std::string_view ke
   if (!array) fail(key, "is no list of lists, expected [[\"program\", \"argument\"]]");
   std::vector<std::vector<std::string>> lists;
   for (const toml::node& item : *array) {
-    if (!item.is_array()) throw InputError(location(file_, item), "an item of " + in_quotes(key) + " is no list, expected [\"program\", \"argument\"]; there is no shell");
+    if (!item.is_array())
+      throw InputError(
+          location(file_, item),
+          "an item of " + in_quotes(key) + " is no list, expected [\"program\", \"argument\"]; there is no shell");
     lists.push_back(texts_of(key, item));
   }
   return lists;
@@ -132,7 +139,8 @@ std::vector<std::pair<std::string, std::string>> TomlFields::text_table(std::str
   if (!table) fail(key, "is no table, expected { NAME = \"value\" }");
   std::vector<std::pair<std::string, std::string>> entries;
   for (const auto& [name, value] : *table) {
-    if (!value.is_string()) throw InputError(location(file_, value), in_quotes(name.str()) + " is no text, expected \"...\"");
+    if (!value.is_string())
+      throw InputError(location(file_, value), in_quotes(name.str()) + " is no text, expected \"...\"");
     entries.emplace_back(name.str(), checked(value.as_string()->get(), value));
   }
   return entries;
@@ -144,7 +152,8 @@ void TomlFields::finish() const {
     if (known_.contains(key.str())) continue;
     std::string expected;
     for (const std::string_view name : names) expected += (expected.empty() ? "" : ", ") + std::string(name);
-    throw InputError(location(file_, node), "unknown key " + in_quotes(key.str()) + " in " + name_ + ", expected " + expected + did_you_mean(key.str(), names));
+    throw InputError(location(file_, node), "unknown key " + in_quotes(key.str()) + " in " + name_ + ", expected " +
+                                                expected + did_you_mean(key.str(), names));
   }
 }
 

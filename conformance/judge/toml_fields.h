@@ -1,19 +1,20 @@
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "renderer/math/input_error.h"
 
 namespace plumb {
 
-/// The fields of one TOML table, read strictly: every error is an InputError at the value's line and column, and a key that nobody asked for
-/// is one too (finish). The table must outlive this.
+/// The fields of one TOML table, read strictly: every error is an InputError at the value's line and column, and a key
+/// that nobody asked for is one too (finish). The table must outlive this.
 class TomlFields {
  public:
   /// `where` names the table in messages: `[suite]`.

@@ -1,12 +1,12 @@
 #include "conformance/judge/workspace.h"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <set>
 #include <system_error>
 
@@ -21,14 +21,18 @@ namespace fs = std::filesystem;
 void set_writable(const fs::path& folder, bool writable) {
   const auto set = [&](const fs::path& path) {
     const fs::perms all = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-    if (writable) fs::permissions(path, fs::perms::owner_all, fs::perm_options::add);
-    else fs::permissions(path, all, fs::perm_options::remove);
+    if (writable)
+      fs::permissions(path, fs::perms::owner_all, fs::perm_options::add);
+    else
+      fs::permissions(path, all, fs::perm_options::remove);
   };
   if (writable) set(folder);
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.is_symlink()) continue;
-    if (entry.is_directory()) set_writable(entry.path(), writable);
-    else set(entry.path());
+    if (entry.is_directory())
+      set_writable(entry.path(), writable);
+    else
+      set(entry.path());
   }
   if (!writable) set(folder);
 }
@@ -48,7 +52,8 @@ void remove_tree(const fs::path& folder) {
 
 fs::path new_folder() {
   std::string name = (fs::temp_directory_path() / "plumb-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make a working folder " + name);
+  if (!::mkdtemp(name.data()))
+    throw std::system_error(errno, std::generic_category(), "cannot make a working folder " + name);
   return fs::canonical(name);
 }
 
@@ -58,8 +63,8 @@ void link_entries(const fs::path& from, const fs::path& to) {
     if (!is_picture(entry.path())) fs::create_symlink(entry.path(), to / entry.path().filename());
 }
 
-/// Makes `relative` a chain of real folders below `run`, where it was a link to what was built; the rest of each such folder shows through links
-/// as before.
+/// Makes `relative` a chain of real folders below `run`, where it was a link to what was built; the rest of each such
+/// folder shows through links as before.
 void make_real(const fs::path& run, const fs::path& build, const fs::path& relative) {
   fs::path real = run;
   fs::path built = build;
@@ -108,11 +113,13 @@ bool Workspace::check_build() {
 
 Workspace::State Workspace::state_of(const fs::path& folder) const {
   State state;
-  for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied); it != fs::recursive_directory_iterator(); ++it) {
+  for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied);
+       it != fs::recursive_directory_iterator(); ++it) {
     struct stat facts {};
     if (::lstat(it->path().c_str(), &facts) != 0) continue;
     std::string text = fmt::format("{} {}", facts.st_mode, facts.st_ino);
-    if (S_ISREG(facts.st_mode)) text += fmt::format(" {} {}.{}", facts.st_size, facts.st_ctim.tv_sec, facts.st_ctim.tv_nsec);
+    if (S_ISREG(facts.st_mode))
+      text += fmt::format(" {} {}.{}", facts.st_size, facts.st_ctim.tv_sec, facts.st_ctim.tv_nsec);
     if (S_ISLNK(facts.st_mode)) text += " " + fs::read_symlink(it->path()).string();
     state.emplace(it->path().lexically_relative(folder).string(), text);
   }

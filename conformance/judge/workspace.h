@@ -18,8 +18,8 @@ class LostBuild : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The folders that one submission is built and run in, below the system's folder for temporary files; removed with this object. References
-/// and results are never in them.
+/// The folders that one submission is built and run in, below the system's folder for temporary files; removed with
+/// this object. References and results are never in them.
 class Workspace {
  public:
   Workspace();
@@ -27,8 +27,9 @@ class Workspace {
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
-  /// Copies the submission: from the folder that the suite's root_marker starts from (the first, nearest to the top), with the overlay's files over it.
-  /// Throws InputError if the root is not found or the submission is too large (copy_tree).
+  /// Copies the submission: from the folder that the suite's root_marker starts from (the first, nearest to the top),
+  /// with the overlay's files over it. Throws InputError if the root is not found or the submission is too large
+  /// (copy_tree).
   void copy_submission(const std::filesystem::path& submission, const Suite& suite);
   const LeftOut& left_out() const { return left_out_; }
 
@@ -40,7 +41,8 @@ class Workspace {
   /// Whether the build is as it was sealed. If not, it is put back. Throws LostBuild where that is no longer possible.
   bool check_build();
 
-  /// A new folder for a case, with the inputs at the runner's scene_at and beside them links to what was built, but no picture.
+  /// A new folder for a case, with the inputs at the runner's scene_at and beside them links to what was built, but no
+  /// picture.
   struct CaseFolder {
     std::filesystem::path all;   ///< whose size is watched
     std::filesystem::path run;   ///< where the program starts
@@ -51,8 +53,8 @@ class Workspace {
   void remove_case_folder(const CaseFolder& folder);
 
  private:
-  /// What a file of the build is known by: size, the time it was last changed in any way (ctime, which no program can set), permissions;
-  /// the target of a link.
+  /// What a file of the build is known by: size, the time it was last changed in any way (ctime, which no program can
+  /// set), permissions; the target of a link.
   using State = std::map<std::string, std::string>;
   State state_of(const std::filesystem::path& folder) const;
 
@@ -64,7 +66,8 @@ class Workspace {
   LeftOut left_out_;
 };
 
-/// The folder from which `marker` is found: `top` itself, or the one nearest below it. Throws InputError if there is none.
+/// The folder from which `marker` is found: `top` itself, or the one nearest below it. Throws InputError if there is
+/// none.
 std::filesystem::path find_root(const std::filesystem::path& top, const std::string& marker);
 
 }  // namespace plumb

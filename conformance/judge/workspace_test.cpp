@@ -120,7 +120,8 @@ TEST_F(WorkspaceTest, LinksAndPipesAreLeftOutAndNamed) {
 }
 
 TEST_F(WorkspaceTest, PicturesAreStaleAndLeftOut) {
-  for (const char* name : {"sub/a.png", "sub/deep/b.PPM", "sub/deep/c.exr", "sub/png", "sub/d.png.txt"}) write(name, "x");
+  for (const char* name : {"sub/a.png", "sub/deep/b.PPM", "sub/deep/c.exr", "sub/png", "sub/d.png.txt"})
+    write(name, "x");
   Workspace workspace;
   workspace.copy_submission(sub(), suite_);
   EXPECT_EQ(workspace.left_out().pictures, 3);
@@ -156,7 +157,9 @@ TEST_F(WorkspaceTest, ACaseSeesTheBuildThroughLinksAndTheInputsAsCopies) {
 }
 
 TEST_F(WorkspaceTest, AFolderOfScenesHoldsTheInputsAlone) {
-  for (const char* name : {"sub/data/scenes/old.xml", "sub/data/scenes/scene.xml", "sub/data/scenes/scene.xml.png", "sub/data/other/texture.txt", "sub/tracer", "sub/data/stale.PNG"}) write(name, "theirs");
+  for (const char* name : {"sub/data/scenes/old.xml", "sub/data/scenes/scene.xml", "sub/data/scenes/scene.xml.png",
+                           "sub/data/other/texture.txt", "sub/tracer", "sub/data/stale.PNG"})
+    write(name, "theirs");
   runner_.scene_at = "data/scenes/";
   Workspace workspace;
   seal(workspace);
@@ -210,10 +213,21 @@ TEST_F(WorkspaceTest, AChangedBuildIsPutBack) {
   const fs::path build = workspace.build();
   EXPECT_TRUE(workspace.check_build());
   EXPECT_EQ(fs::status(build / "tracer").permissions() & fs::perms::owner_write, fs::perms::none);
-  const auto writable = [&] { fs::permissions(build, fs::perms::owner_all, fs::perm_options::add); fs::permissions(build / "lib", fs::perms::owner_all, fs::perm_options::add); };
+  const auto writable = [&] {
+    fs::permissions(build, fs::perms::owner_all, fs::perm_options::add);
+    fs::permissions(build / "lib", fs::perms::owner_all, fs::perm_options::add);
+  };
   const std::vector<std::pair<const char*, std::function<void()>>> changes{
-      {"grown", [&] { fs::permissions(build / "tracer", fs::perms::owner_write, fs::perm_options::add); std::ofstream(build / "tracer", std::ios::app) << "x"; }},
-      {"same size", [&] { fs::permissions(build / "tracer", fs::perms::owner_write, fs::perm_options::add); std::ofstream(build / "tracer") << "PROGRAM"; }},
+      {"grown",
+       [&] {
+         fs::permissions(build / "tracer", fs::perms::owner_write, fs::perm_options::add);
+         std::ofstream(build / "tracer", std::ios::app) << "x";
+       }},
+      {"same size",
+       [&] {
+         fs::permissions(build / "tracer", fs::perms::owner_write, fs::perm_options::add);
+         std::ofstream(build / "tracer") << "PROGRAM";
+       }},
       {"same size, and the time put back",
        [&] {
          const fs::file_time_type time = fs::last_write_time(build / "tracer");
@@ -223,12 +237,39 @@ TEST_F(WorkspaceTest, AChangedBuildIsPutBack) {
          fs::permissions(build / "tracer", fs::perms::owner_write, fs::perm_options::remove);
        }},
       {"permissions", [&] { fs::permissions(build / "lib/part", fs::perms::owner_exec, fs::perm_options::add); }},
-      {"removed", [&] { writable(); fs::remove(build / "lib/part"); }},
-      {"added", [&] { writable(); std::ofstream(build / "lib/more") << "x"; }},
-      {"linked", [&] { writable(); fs::remove(build / "lib/part"); fs::create_symlink("/etc/passwd", build / "lib/part"); }},
-      {"all gone", [&] { writable(); fs::remove_all(build); }},
-      {"a link instead", [&] { writable(); fs::remove_all(build); fs::create_directory_symlink("/etc", build); }},
-      {"a file instead", [&] { writable(); fs::remove_all(build); std::ofstream(build.string()) << "x"; }},
+      {"removed",
+       [&] {
+         writable();
+         fs::remove(build / "lib/part");
+       }},
+      {"added",
+       [&] {
+         writable();
+         std::ofstream(build / "lib/more") << "x";
+       }},
+      {"linked",
+       [&] {
+         writable();
+         fs::remove(build / "lib/part");
+         fs::create_symlink("/etc/passwd", build / "lib/part");
+       }},
+      {"all gone",
+       [&] {
+         writable();
+         fs::remove_all(build);
+       }},
+      {"a link instead",
+       [&] {
+         writable();
+         fs::remove_all(build);
+         fs::create_directory_symlink("/etc", build);
+       }},
+      {"a file instead",
+       [&] {
+         writable();
+         fs::remove_all(build);
+         std::ofstream(build.string()) << "x";
+       }},
   };
   for (const auto& [name, change] : changes) {
     change();

@@ -33,8 +33,10 @@ Json number(double value) {
 Json evidence_json(const Evidence& evidence) {
   Json json = Json::object();
   for (const auto& [name, value] : evidence) {
-    if (const auto* real = std::get_if<double>(&value)) json[name] = number(*real);
-    else std::visit([&](const auto& v) { json[name] = v; }, value);
+    if (const auto* real = std::get_if<double>(&value))
+      json[name] = number(*real);
+    else
+      std::visit([&](const auto& v) { json[name] = v; }, value);
   }
   return json;
 }
@@ -99,11 +101,17 @@ Json results_json(const ResultSet& r) {
   json["suite"] = {{"id", r.suite_id}, {"hash", r.suite_hash}, {"dialect", r.dialect}, {"variants", r.variants}};
   json["submission"] = r.submission_id;
   json["versions"] = {{"plumb", r.plumb_version}};
-  json["totals"] = {{"points", number(totals.points)}, {"max_points", number(totals.max_points)}, {"pending_points", number(totals.pending_points)}};
+  json["totals"] = {{"points", number(totals.points)},
+                    {"max_points", number(totals.max_points)},
+                    {"pending_points", number(totals.pending_points)}};
   json["notes"] = r.notes;
   json["cases"] = Json::array();
   for (const CaseResult& c : r.cases) {
-    json["cases"].push_back({{"id", c.id}, {"verdict", to_string(c.check.verdict)}, {"cause", c.check.cause}, {"points", number(c.points)}, {"max_points", number(c.max_points)}});
+    json["cases"].push_back({{"id", c.id},
+                             {"verdict", to_string(c.check.verdict)},
+                             {"cause", c.check.cause},
+                             {"points", number(c.points)},
+                             {"max_points", number(c.max_points)}});
   }
   return json;
 }
@@ -121,22 +129,30 @@ bool is_result_set(const fs::path& dir) {
 }
 
 bool may_be_replaced(const fs::path& dir) {
-  return !fs::exists(fs::symlink_status(dir)) || (fs::is_directory(fs::symlink_status(dir)) && (fs::is_empty(dir) || is_result_set(dir)));
+  return !fs::exists(fs::symlink_status(dir)) ||
+         (fs::is_directory(fs::symlink_status(dir)) && (fs::is_empty(dir) || is_result_set(dir)));
 }
 
 }  // namespace
 
-ResultFolder::ResultFolder(fs::path dir, std::string plumb_version) : dir_(std::move(dir)), plumb_version_(std::move(plumb_version)) {
+ResultFolder::ResultFolder(fs::path dir, std::string plumb_version)
+    : dir_(std::move(dir)), plumb_version_(std::move(plumb_version)) {
   if (!dir_.has_filename()) dir_ = dir_.parent_path();
-  if (!may_be_replaced(dir_)) throw InputError({dir_.string()}, "holds something that is no result set and would be lost, expected a new folder or an earlier result");
+  if (!may_be_replaced(dir_))
+    throw InputError(
+        {dir_.string()},
+        "holds something that is no result set and would be lost, expected a new folder or an earlier result");
   std::error_code error;
   if (dir_.has_parent_path()) fs::create_directories(dir_.parent_path(), error);
   std::string partial = dir_.string() + ".partial-XXXXXX";
   if (error || !::mkdtemp(partial.data())) {
-    throw InputError({dir_.string()}, "cannot make the folder for the results: " + (error ? error.message() : std::strerror(errno)));
+    throw InputError({dir_.string()},
+                     "cannot make the folder for the results: " + (error ? error.message() : std::strerror(errno)));
   }
   partial_ = partial;
-  fs::permissions(partial_, fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
+  fs::permissions(partial_,
+                  fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec,
+                  fs::perm_options::add);
 }
 
 ResultFolder::~ResultFolder() {

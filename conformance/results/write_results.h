@@ -6,11 +6,12 @@
 
 namespace plumb {
 
-/// The folder that results go to. They are gathered in a new folder beside it, `DIR.partial-` and six letters, which takes DIR's name at the end, so that
-/// DIR always holds a whole set.
+/// The folder that results go to. They are gathered in a new folder beside it, `DIR.partial-` and six letters, which
+/// takes DIR's name at the end, so that DIR always holds a whole set.
 class ResultFolder {
  public:
-  /// Throws InputError if DIR is there and is no result set (it would be replaced), or the folder beside it cannot be made.
+  /// Throws InputError if DIR is there and is no result set (it would be replaced), or the folder beside it cannot be
+  /// made.
   ResultFolder(std::filesystem::path dir, std::string plumb_version);
   /// A folder in which no case was judged goes; any other stays for whoever looks for what was lost.
   ~ResultFolder();

@@ -82,8 +82,9 @@ class HierarchyBuilder {
 
     std::uint32_t middle = begin;
     if (split.cost < Bounds3::kInfinity && depth < Hierarchy::kBalanced) {
-      const auto left_end = std::partition(hierarchy_.order_.begin() + begin, hierarchy_.order_.begin() + end,
-                                           [&](std::uint32_t p) { return bin_of(p, split.axis, centers) <= split.bin; });
+      const auto left_end =
+          std::partition(hierarchy_.order_.begin() + begin, hierarchy_.order_.begin() + end,
+                         [&](std::uint32_t p) { return bin_of(p, split.axis, centers) <= split.bin; });
       middle = static_cast<std::uint32_t>(left_end - hierarchy_.order_.begin());
     }
     // Where all centres coincide, or the tree is too deep already, any half is as good as the other.

@@ -16,10 +16,10 @@ namespace plumb {
 struct SlabTest {
   explicit SlabTest(const Ray& ray);
 
-  /// Whether the ray, within [t_min, t_max], may pass through the closed box. Never wrongly false: the box is widened by 2^-40 of
-  /// the origin's largest coordinate, so that the rounding of a primitive's own test, which grows with the distance, does not make it reach
-  /// out of its box; the far distance by 1 + 2 gamma_3 [Ize 2013]; and the NaN of a ray that runs within a face (0 times infinity) changes
-  /// nothing.
+  /// Whether the ray, within [t_min, t_max], may pass through the closed box. Never wrongly false: the box is widened
+  /// by 2^-40 of the origin's largest coordinate, so that the rounding of a primitive's own test, which grows with the
+  /// distance, does not make it reach out of its box; the far distance by 1 + 2 gamma_3 [Ize 2013]; and the NaN of a
+  /// ray that runs within a face (0 times infinity) changes nothing.
   bool may_hit(const Bounds3& box, double t_min, double t_max) const {
     double near = t_min;
     double far = t_max;
@@ -47,8 +47,8 @@ struct SlabTest {
 /// [Wald 2007]. The readable one: later hierarchies are measured against it.
 class Hierarchy {
  public:
-  /// Over primitives 0 .. bounds.size() - 1. Empty boxes are never visited. The boxes are widened on every axis by kMargin of their largest
-  /// coordinate, for the same reason as in SlabTest.
+  /// Over primitives 0 .. bounds.size() - 1. Empty boxes are never visited. The boxes are widened on every axis by
+  /// kMargin of their largest coordinate, for the same reason as in SlabTest.
   explicit Hierarchy(std::span<const Bounds3> bounds);
 
   /// Calls visit(primitive) for each primitive whose box the ray may pass through, roughly near to far. `visit`
@@ -82,8 +82,8 @@ class Hierarchy {
   std::size_t node_count() const { return nodes_.size(); }
   int depth() const { return depth_; }
 
-  /// 2^12 times the rounding of the coordinates themselves: well above the errors of the primitives' tests, and far too little to
-  /// cost anything.
+  /// 2^12 times the rounding of the coordinates themselves: well above the errors of the primitives' tests, and far too
+  /// little to cost anything.
   static constexpr double kMargin = 0x1p-40;
 
   /// No path is longer: below kBalanced levels nodes are halved by count instead.

@@ -60,12 +60,14 @@ Agreement compare(const Soup& soup, const std::vector<Ray>& rays) {
     const Found a = closest(soup, linear, ray);
     const Found b = closest(soup, bvh2, ray);
     ++(a.index == ~0U ? agreement.misses : agreement.hits);
-    const bool same = a.index == b.index && same_bits(a.hit.t, b.hit.t) && same_bits(a.hit.u, b.hit.u) && same_bits(a.hit.v, b.hit.v);
+    const bool same =
+        a.index == b.index && same_bits(a.hit.t, b.hit.t) && same_bits(a.hit.u, b.hit.u) && same_bits(a.hit.v, b.hit.v);
     if (same) continue;
     if (++agreement.different == 1) {
-      ADD_FAILURE() << std::hexfloat << "first differing ray: origin " << ray.origin.x << " " << ray.origin.y << " " << ray.origin.z
-                    << " direction " << ray.direction.x << " " << ray.direction.y << " " << ray.direction.z << ", linear " << a.index
-                    << " at " << a.hit.t << ", hierarchy " << b.index << " at " << b.hit.t;
+      ADD_FAILURE() << std::hexfloat << "first differing ray: origin " << ray.origin.x << " " << ray.origin.y << " "
+                    << ray.origin.z << " direction " << ray.direction.x << " " << ray.direction.y << " "
+                    << ray.direction.z << ", linear " << a.index << " at " << a.hit.t << ", hierarchy " << b.index
+                    << " at " << b.hit.t;
     }
   }
   EXPECT_EQ(agreement.different, 0);
@@ -150,7 +152,8 @@ std::vector<Ray> lattice_rays(const Soup& soup, Random& u, const Point3& center,
       const Point3 from = center + reach * (u.point(1) - Point3{});
       rays.push_back({from, a - from});
       rays.push_back({from, a + 0.5 * (b - a) - from});
-      rays.push_back({{std::round(from.x), from.y, std::round(from.z)}, {0, round % 2 ? 1.0 : -1.0, round % 3 ? 0.0 : -0.0}});
+      rays.push_back(
+          {{std::round(from.x), from.y, std::round(from.z)}, {0, round % 2 ? 1.0 : -1.0, round % 3 ? 0.0 : -0.0}});
     }
   }
   return rays;
@@ -183,7 +186,8 @@ TEST(Hierarchy, FindsTheSameHitsInDegenerateSoups) {
     const Point3 p = u.point(1);
     points.triangles.push_back({p, p, p});
     const double size = std::pow(10.0, 10 * u());
-    huge_spread.triangles.push_back({Point3{} + size * a, Point3{} + size * b, Point3{} + size * (u.point(1) - Point3{})});
+    huge_spread.triangles.push_back(
+        {Point3{} + size * a, Point3{} + size * b, Point3{} + size * (u.point(1) - Point3{})});
   }
   points.triangles.push_back({Point3{-3, -3, 0.5}, Point3{3, -3, 0.5}, Point3{0, 3, 0.5}});
   EXPECT_GT(compare(one_center, random_rays(u, 1000, 3)).hits, 100);

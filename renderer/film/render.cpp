@@ -28,7 +28,9 @@ Color pixel_color(Tracer& tracer, int x, int row) {
   return 1.0 / (n * n) * sum;
 }
 
-int thread_count(int wanted) { return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int thread_count(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 }  // namespace
 
@@ -47,7 +49,8 @@ Rendering render(const Scene& scene, const RenderOptions& options) {
     const PixelRect& tile = tiles[static_cast<std::size_t>(item)];
     Tracer& tracer = tracers[static_cast<std::size_t>(worker)];
     for (int y = tile.y; y < tile.y + tile.height; ++y)
-      for (int x = tile.x; x < tile.x + tile.width; ++x) rendering.image.at(x - area.x, y - area.y) = pixel_color(tracer, x, y);
+      for (int x = tile.x; x < tile.x + tile.width; ++x)
+        rendering.image.at(x - area.x, y - area.y) = pixel_color(tracer, x, y);
     if (options.progress) {
       const std::lock_guard lock(progress_mutex);
       options.progress(static_cast<double>(++tiles_done) / static_cast<double>(tiles.size()));

@@ -25,11 +25,12 @@ struct Rendering {
   TraceCounters counters;
 };
 
-/// The picture of a scene, by regular supersampling. The same bits for any number of threads, and for a crop the same as
-/// in that part of the whole.
+/// The picture of a scene, by regular supersampling. The same bits for any number of threads, and for a crop the same
+/// as in that part of the whole.
 Rendering render(const Scene& scene, const RenderOptions& options);
 
-/// The side N of the N x N grid of samples that this many samples a pixel are rounded to: round(sqrt(samples)), at least 1.
+/// The side N of the N x N grid of samples that this many samples a pixel are rounded to: round(sqrt(samples)), at
+/// least 1.
 int sample_grid(int samples);
 
 }  // namespace plumb

@@ -15,10 +15,13 @@ namespace {
 /// Something of everything, in a picture of some tiles, none of them whole at the right and bottom.
 ReadScene lively_scene() {
   return scene_of(
-      "<image>70 45</image><samples>4</samples><camera><viewPoint>0 0 6</viewPoint></camera><light><position>3 4 5</position></light>"
+      "<image>70 45</image><samples>4</samples><camera><viewPoint>0 0 6</viewPoint></camera><light><position>3 4 "
+      "5</position></light>"
       "<shader name='glass' type='Glass'><refractiveIndex>1.5</refractiveIndex></shader>"
-      "<surface type='Sphere'><shader ref='glass'/></surface><surface type='Box'><minPt>-4 -1.5 -4</minPt><maxPt>4 -1 4</maxPt></surface>"
-      "<surface type='Group'><translate>1 1 -2</translate><rotate>30 40 50</rotate><surface type='Cylinder'><shader type='Phong'/></surface></surface>");
+      "<surface type='Sphere'><shader ref='glass'/></surface><surface type='Box'><minPt>-4 -1.5 -4</minPt><maxPt>4 -1 "
+      "4</maxPt></surface>"
+      "<surface type='Group'><translate>1 1 -2</translate><rotate>30 40 50</rotate><surface type='Cylinder'><shader "
+      "type='Phong'/></surface></surface>");
 }
 
 TEST(Render, HasTheSameBitsAndCountsOnAnyNumberOfThreads) {
@@ -39,7 +42,8 @@ TEST(Render, ACropIsThatPartOfTheWhole) {
   const ReadScene read = lively_scene();
   const Image whole = render(read.scene, {}).image;
   int crops = 0;
-  for (const PixelRect& crop : {PixelRect{0, 0, 1, 1}, PixelRect{69, 44, 1, 1}, PixelRect{20, 10, 40, 33}, PixelRect{0, 0, 70, 45}}) {
+  for (const PixelRect& crop :
+       {PixelRect{0, 0, 1, 1}, PixelRect{69, 44, 1, 1}, PixelRect{20, 10, 40, 33}, PixelRect{0, 0, 70, 45}}) {
     const Image part = render(read.scene, {.threads = 2, .crop = crop, .progress = {}}).image;
     ASSERT_EQ(part.width(), crop.width);
     ASSERT_EQ(part.height(), crop.height);
@@ -66,7 +70,8 @@ TEST(Render, SampleGridIsTheRoundedRoot) {
 
 TEST(Render, TopRowIsNearTheTopOfTheWindow) {
   // A ball in the middle of the upper left pixel: (-3/8, 3/8) in the window.
-  const ReadScene read = scene_of("<image>4 4</image><light/><surface type='Sphere'><center>-1.875 1.875 -5</center><radius>.5</radius></surface>");
+  const ReadScene read = scene_of(
+      "<image>4 4</image><light/><surface type='Sphere'><center>-1.875 1.875 -5</center><radius>.5</radius></surface>");
   const Image image = render(read.scene, {}).image;
   int lit = 0;
   for (int y = 0; y < 4; ++y)
@@ -76,11 +81,13 @@ TEST(Render, TopRowIsNearTheTopOfTheWindow) {
 }
 
 TEST(Render, SamplesLieInTheMiddlesOfAGrid) {
-  // One pixel over a window of width 1 at distance 1. A wall at z = -1 is lit for x < 0.2 only, as a box beyond the window
-  // hides the rest: with 3 x 3 samples the columns stand at x = -1/3, 0, 1/3.
+  // One pixel over a window of width 1 at distance 1. A wall at z = -1 is lit for x < 0.2 only, as a box beyond the
+  // window hides the rest: with 3 x 3 samples the columns stand at x = -1/3, 0, 1/3.
   const auto brightness = [](const std::string& samples) {
-    const ReadScene read = scene_of("<image>1 1</image><samples>" + samples + "</samples><light/><surface type='Box'><minPt>-9 -9 -1.5</minPt><maxPt>.2 9 -1</maxPt>"
-                                    "<shader type='Phong'><diffuseColor>0 0 0</diffuseColor><exponent>0</exponent></shader></surface>");
+    const ReadScene read =
+        scene_of("<image>1 1</image><samples>" + samples +
+                 "</samples><light/><surface type='Box'><minPt>-9 -9 -1.5</minPt><maxPt>.2 9 -1</maxPt>"
+                 "<shader type='Phong'><diffuseColor>0 0 0</diffuseColor><exponent>0</exponent></shader></surface>");
     return render(read.scene, {}).image.at(0, 0).g;
   };
   EXPECT_EQ(brightness("1"), 1);
@@ -103,13 +110,15 @@ TEST(Render, ProgressRisesToOneAndNeverFromTwoThreadsAtOnce) {
 }
 
 TEST(Tiles, CoverTheRectangleOnceInRows) {
-  for (const PixelRect& rect : {PixelRect{0, 0, 1, 1}, PixelRect{5, 7, 32, 32}, PixelRect{5, 7, 33, 65}, PixelRect{0, 0, 100, 31}}) {
+  for (const PixelRect& rect :
+       {PixelRect{0, 0, 1, 1}, PixelRect{5, 7, 32, 32}, PixelRect{5, 7, 33, 65}, PixelRect{0, 0, 100, 31}}) {
     std::vector<int> covered(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
     for (const PixelRect& tile : tiles_of(rect)) {
       EXPECT_LE(tile.width, 32);
       EXPECT_LE(tile.height, 32);
       for (int y = tile.y; y < tile.y + tile.height; ++y)
-        for (int x = tile.x; x < tile.x + tile.width; ++x) ++covered.at(static_cast<std::size_t>((y - rect.y) * rect.width + x - rect.x));
+        for (int x = tile.x; x < tile.x + tile.width; ++x)
+          ++covered.at(static_cast<std::size_t>((y - rect.y) * rect.width + x - rect.x));
     }
     EXPECT_EQ(std::count(covered.begin(), covered.end(), 1), static_cast<std::ptrdiff_t>(covered.size()));
   }

@@ -14,9 +14,9 @@ struct PixelRect {
 /// Cuts a rectangle into squares of 32 pixels (narrower at its right and bottom), row by row.
 std::vector<PixelRect> tiles_of(const PixelRect& rect);
 
-/// Calls work(worker, item) once for each item in [0, count), from `threads` threads (at least 1) at a time, each worker
-/// on one thread. Items are taken in order, by whoever is free. The first exception stops the others after
-/// their item and is thrown on.
+/// Calls work(worker, item) once for each item in [0, count), from `threads` threads (at least 1) at a time, each
+/// worker on one thread. Items are taken in order, by whoever is free. The first exception stops the others after their
+/// item and is thrown on.
 void for_each_item(int threads, int count, const std::function<void(int worker, int item)>& work);
 
 }  // namespace plumb

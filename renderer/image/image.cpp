@@ -5,9 +5,7 @@
 namespace plumb {
 
 Image::Image(int width, int height)
-    : width_(width),
-      height_(height),
-      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+    : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
 std::uint8_t level_of(double linear) {
   if (!(linear > 0)) return 0;

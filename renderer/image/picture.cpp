@@ -4,9 +4,12 @@ namespace plumb {
 
 std::string to_string(PictureFormat format) {
   switch (format) {
-    case PictureFormat::png: return "PNG";
-    case PictureFormat::exr: return "EXR";
-    case PictureFormat::ppm: return "PPM";
+    case PictureFormat::png:
+      return "PNG";
+    case PictureFormat::exr:
+      return "EXR";
+    case PictureFormat::ppm:
+      return "PPM";
   }
   throw std::logic_error("unknown picture format");
 }

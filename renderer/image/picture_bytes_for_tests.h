@@ -20,7 +20,8 @@ inline std::filesystem::path picture_test_file(const std::string& name) {
 
 inline std::filesystem::path write_picture_test_file(const std::string& name, const std::string& bytes) {
   const auto file = picture_test_file(name);
-  std::ofstream(file, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(file, std::ios::binary | std::ios::trunc)
+      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return file;
 }
 
@@ -52,8 +53,9 @@ inline std::string png_chunk(const std::string& type, const std::string& data) {
 
 /// The header of a PNG file. Colour types: 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGB and alpha.
 inline std::string png_header(std::uint32_t width, std::uint32_t height, int depth, int color_type) {
-  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", big_endian_bytes(width) + big_endian_bytes(height) + static_cast<char>(depth) +
-                                                     static_cast<char>(color_type) + std::string(3, '\0'));
+  return "\x89PNG\r\n\x1a\n" +
+         png_chunk("IHDR", big_endian_bytes(width) + big_endian_bytes(height) + static_cast<char>(depth) +
+                               static_cast<char>(color_type) + std::string(3, '\0'));
 }
 
 /// zlib's format with one stored block [RFC 1950, 1951].
@@ -68,17 +70,19 @@ inline std::string zlib_stored(const std::string& data) {
          big_endian_bytes(b << 16 | a);
 }
 
-/// A whole PNG file; `scanlines` holds a filter byte 0 and the packed samples for each row, `before` the chunks before them.
-inline std::string png_bytes(std::uint32_t width, std::uint32_t height, int depth, int color_type, const std::string& scanlines,
-                             const std::string& before = "") {
-  return png_header(width, height, depth, color_type) + before + png_chunk("IDAT", zlib_stored(scanlines)) + png_chunk("IEND", "");
+/// A whole PNG file; `scanlines` holds a filter byte 0 and the packed samples for each row, `before` the chunks before
+/// them.
+inline std::string png_bytes(std::uint32_t width, std::uint32_t height, int depth, int color_type,
+                             const std::string& scanlines, const std::string& before = "") {
+  return png_header(width, height, depth, color_type) + before + png_chunk("IDAT", zlib_stored(scanlines)) +
+         png_chunk("IEND", "");
 }
 
 /// The start of an EXR file up to its data window, which lies from (0,0) to (right, bottom).
 inline std::string exr_header(std::uint32_t right, std::uint32_t bottom) {
   using namespace std::string_literals;
-  return "\x76\x2f\x31\x01\x02\0\0\0dataWindow\0box2i\0"s + little_endian_bytes(16) + little_endian_bytes(0) + little_endian_bytes(0) +
-         little_endian_bytes(right) + little_endian_bytes(bottom);
+  return "\x76\x2f\x31\x01\x02\0\0\0dataWindow\0box2i\0"s + little_endian_bytes(16) + little_endian_bytes(0) +
+         little_endian_bytes(0) + little_endian_bytes(right) + little_endian_bytes(bottom);
 }
 
 }  // namespace plumb

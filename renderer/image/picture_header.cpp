@@ -79,7 +79,8 @@ Size exr_size(Bytes b) {
 
 /// Netpbm: `P3` or `P6`, then width, height and maximum, separated by white space and # comments.
 Size ppm_size(Bytes b) {
-  if (b.size() < 2 || b[0] != 'P' || (b[1] != '3' && b[1] != '6')) bad("this is not a PPM file (it must begin with P3 or P6)");
+  if (b.size() < 2 || b[0] != 'P' || (b[1] != '3' && b[1] != '6'))
+    bad("this is not a PPM file (it must begin with P3 or P6)");
   std::size_t at = 2;
   const auto number = [&]() -> std::int64_t {
     while (at < b.size() && (std::isspace(static_cast<unsigned char>(b[at])) || b[at] == '#')) {
@@ -88,7 +89,8 @@ Size ppm_size(Bytes b) {
     }
     std::int64_t value = 0;
     std::size_t digits = 0;
-    for (; at < b.size() && b[at] >= '0' && b[at] <= '9' && digits < 9; ++at, ++digits) value = value * 10 + (b[at] - '0');
+    for (; at < b.size() && b[at] >= '0' && b[at] <= '9' && digits < 9; ++at, ++digits)
+      value = value * 10 + (b[at] - '0');
     if (digits == 0) bad("the PPM header is not three whole numbers (width, height, maximum)");
     return value;
   };
@@ -104,15 +106,20 @@ Size ppm_size(Bytes b) {
 PictureHeader read_picture_header(const std::filesystem::path& file) {
   const PictureFormat format = format_by_name(file);
   std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw InputError({file.string()}, "this is a folder, expected a picture");
-  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) throw InputError({file.string()}, "this is no ordinary file, expected a picture");
+  if (std::filesystem::is_directory(file, ignored))
+    throw InputError({file.string()}, "this is a folder, expected a picture");
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
+    throw InputError({file.string()}, "this is no ordinary file, expected a picture");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError({file.string()}, std::string("cannot open the picture: ") + std::strerror(errno));
   std::array<char, 65536> buffer;
   stream.read(buffer.data(), buffer.size());
   const Bytes bytes(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-  const Size size = format == PictureFormat::png ? png_size(bytes) : format == PictureFormat::exr ? exr_size(bytes) : ppm_size(bytes);
-  if (size.width < 1 || size.height < 1 || size.width > kLargestSide || size.height > kLargestSide || size.width * size.height > kMostPixels) {
+  const Size size = format == PictureFormat::png   ? png_size(bytes)
+                    : format == PictureFormat::exr ? exr_size(bytes)
+                                                   : ppm_size(bytes);
+  if (size.width < 1 || size.height < 1 || size.width > kLargestSide || size.height > kLargestSide ||
+      size.width * size.height > kMostPixels) {
     bad("its size is " + std::to_string(size.width) + "x" + std::to_string(size.height) + ", expected 1 to " +
         std::to_string(kLargestSide) + " a side and at most " + std::to_string(kMostPixels) + " pixels");
   }

@@ -15,7 +15,9 @@ using namespace std::string_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Picture decoded(const std::string& name, const std::string& bytes) { return read_picture(write_picture_test_file(name, bytes)); }
+Picture decoded(const std::string& name, const std::string& bytes) {
+  return read_picture(write_picture_test_file(name, bytes));
+}
 
 /// The text of the BadPicture that the bytes end in; empty if they are read.
 std::string defect(const std::string& name, const std::string& bytes) {
@@ -76,13 +78,15 @@ TEST(ReadPicture, AlphaIsReportedAndNotMultipliedIn) {
   const Picture grey = decoded("greyalpha.png", png_bytes(1, 1, 8, 4, "\0\x64\x00"s));
   EXPECT_THAT(grey.samples, ElementsAre(100, 100, 100));
   EXPECT_TRUE(grey.transparent);
-  const Picture palette = decoded("trns.png", png_bytes(1, 1, 8, 3, "\0\x00"s, png_chunk("PLTE", "\x0a\x14\x1e"s) + png_chunk("tRNS", "\x7f"s)));
+  const Picture palette = decoded(
+      "trns.png", png_bytes(1, 1, 8, 3, "\0\x00"s, png_chunk("PLTE", "\x0a\x14\x1e"s) + png_chunk("tRNS", "\x7f"s)));
   EXPECT_THAT(palette.samples, ElementsAre(10, 20, 30));
   EXPECT_TRUE(palette.transparent);
 }
 
 TEST(ReadPicture, PortablePixmapsInTextAndBytes) {
-  EXPECT_THAT(decoded("a.ppm", "P3\n# a comment\n2 1\n255\n1 2 3\n253 254 255\n").samples, ElementsAre(1, 2, 3, 253, 254, 255));
+  EXPECT_THAT(decoded("a.ppm", "P3\n# a comment\n2 1\n255\n1 2 3\n253 254 255\n").samples,
+              ElementsAre(1, 2, 3, 253, 254, 255));
   EXPECT_THAT(decoded("b.ppm", "P6 2 1 255\n\x01\x02\x03\xfd\xfe\xff"s).samples, ElementsAre(1, 2, 3, 253, 254, 255));
   const Picture rows = decoded("c.ppm", "P6\n1 2\n255\n\x01\x01\x01\x09\x09\x09"s);
   EXPECT_EQ(rows.pixel(0, 0)[0], 1);
@@ -92,7 +96,8 @@ TEST(ReadPicture, PortablePixmapsInTextAndBytes) {
 
 TEST(ReadPicture, ContentOfAnotherFormatThanTheNameIsRefused) {
   EXPECT_THAT(defect("tiff.png", "II*\0\x08\0\0\0"s + std::string(64, '\0')), HasSubstr("this is not a PNG file"));
-  EXPECT_THAT(defect("jpeg.png", "\xff\xd8\xff\xe0\0\x10JFIF\0"s + std::string(64, '\0')), HasSubstr("this is not a PNG file"));
+  EXPECT_THAT(defect("jpeg.png", "\xff\xd8\xff\xe0\0\x10JFIF\0"s + std::string(64, '\0')),
+              HasSubstr("this is not a PNG file"));
   EXPECT_THAT(defect("ppm.png", "P6 1 1 255\nabc"), HasSubstr("this is not a PNG file"));
   EXPECT_THAT(defect("png.exr", rgb_png()), HasSubstr("this is not an EXR file"));
   EXPECT_THAT(defect("png.ppm", rgb_png()), HasSubstr("this is not a PPM file"));
@@ -129,7 +134,8 @@ TEST(ReadPicture, DamagedExrsAreRefused) {
   write_image(Image(16, 16), picture_test_file("whole.exr"));
   const std::string whole = bytes_of(picture_test_file("whole.exr"));
   EXPECT_EQ(defect("copy.exr", whole), "");
-  for (const std::size_t length : {std::size_t{4}, std::size_t{9}, std::size_t{100}, whole.size() / 2, whole.size() - 1})
+  for (const std::size_t length :
+       {std::size_t{4}, std::size_t{9}, std::size_t{100}, whole.size() / 2, whole.size() - 1})
     EXPECT_NE(defect("cut.exr", whole.substr(0, length)), "") << length;
 }
 
@@ -146,7 +152,8 @@ TEST(PictureHeader, SizesOfNothingAndOfTooMuchAreRefused) {
   EXPECT_THAT(defect("zero.png", png_header(0, 5, 8, 2)), HasSubstr("its size is 0x5, expected 1 to 65535 a side"));
   EXPECT_THAT(defect("zero.png", png_header(5, 0, 8, 2)), HasSubstr("its size is 5x0"));
   EXPECT_THAT(defect("wide.png", png_header(65536, 1, 8, 2)), HasSubstr("its size is 65536x1"));
-  EXPECT_THAT(defect("huge.png", png_header(2'000'000'000, 2'000'000'000, 16, 6)), HasSubstr("its size is 2000000000x2000000000"));
+  EXPECT_THAT(defect("huge.png", png_header(2'000'000'000, 2'000'000'000, 16, 6)),
+              HasSubstr("its size is 2000000000x2000000000"));
   EXPECT_THAT(defect("zero.ppm", "P6 0 5 255\n"), HasSubstr("its size is 0x5"));
   EXPECT_THAT(defect("huge.ppm", "P6 999999999 999999999 255\n"), HasSubstr("its size is 999999999x999999999"));
   EXPECT_THAT(defect("huge.exr", exr_header(0x7ffffffe, 3)), HasSubstr("its size is 2147483647x4"));

@@ -31,12 +31,14 @@ ChannelOrder channel_order(const OIIO::ImageSpec& spec) {
 std::string said(const OIIO::ImageInput& input, const std::filesystem::path& file) {
   std::string text = input.geterror();
   const std::string path = file.string();
-  for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) text.replace(at, path.size(), file.filename().string());
+  for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at))
+    text.replace(at, path.size(), file.filename().string());
   return text;
 }
 
 /// Samples of every channel, unsigned integers brought to levels 0 to 255 and floats left alone.
-std::vector<float> read_channels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, PictureFormat format, const std::filesystem::path& file) {
+std::vector<float> read_channels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, PictureFormat format,
+                                 const std::filesystem::path& file) {
   const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                             static_cast<std::size_t>(spec.nchannels);
   const auto read = [&](OIIO::TypeDesc type, void* to) {
@@ -52,7 +54,8 @@ std::vector<float> read_channels(OIIO::ImageInput& input, const OIIO::ImageSpec&
   } else {
     std::vector<std::uint16_t> levels(count);
     read(OIIO::TypeDesc::UINT16, levels.data());
-    std::transform(levels.begin(), levels.end(), samples.begin(), [](std::uint16_t v) { return static_cast<float>(v) / 257.0F; });
+    std::transform(levels.begin(), levels.end(), samples.begin(),
+                   [](std::uint16_t v) { return static_cast<float>(v) / 257.0F; });
   }
   return samples;
 }
@@ -65,14 +68,17 @@ constexpr int kMostChannels = 16;
 Picture read_picture(const std::filesystem::path& file) {
   const PictureHeader header = read_picture_header(file);
   // The plug-in is named, because by default files are recognised by content whatever their name.
-  const char* plugin = header.format == PictureFormat::png ? "png" : header.format == PictureFormat::exr ? "openexr" : "pnm";
+  const char* plugin = header.format == PictureFormat::png   ? "png"
+                       : header.format == PictureFormat::exr ? "openexr"
+                                                             : "pnm";
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(plugin);
   if (!input) throw std::runtime_error(std::string("OpenImageIO has no reader for ") + plugin);
   OIIO::ImageSpec spec;
   OIIO::ImageSpec wish;
   wish.attribute("oiio:UnassociatedAlpha", 1);
   if (!input->open(file.string(), spec, wish)) throw BadPicture("it cannot be decoded: " + said(*input, file));
-  if (spec.width != header.width || spec.height != header.height || spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > kMostChannels || spec.deep) {
+  if (spec.width != header.width || spec.height != header.height || spec.depth > 1 || spec.nchannels < 1 ||
+      spec.nchannels > kMostChannels || spec.deep) {
     throw BadPicture("its content does not fit its header");
   }
 

@@ -21,8 +21,8 @@ void encode_and_write(const char* plugin, OIIO::TypeDesc type, const void* sampl
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const OIIO::ImageSpec spec(width, height, 3, type);
-  if (!output->set_ioproxy(&memory) || !output->open(file.filename().string(), spec) || !output->write_image(type, samples) ||
-      !output->close()) {
+  if (!output->set_ioproxy(&memory) || !output->open(file.filename().string(), spec) ||
+      !output->write_image(type, samples) || !output->close()) {
     throw InputError({file.string()}, "cannot encode the picture: " + output->geterror());
   }
   write_file_staged(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -53,7 +53,8 @@ void write_png(std::span<const std::uint8_t> levels, int width, int height, cons
 
 void require_image_writable(const std::filesystem::path& file) {
   if (!is_png(file) && !is_exr(file)) {
-    throw InputError({file.string()}, "unknown kind of picture '" + file.extension().string() + "', expected .png or .exr");
+    throw InputError({file.string()},
+                     "unknown kind of picture '" + file.extension().string() + "', expected .png or .exr");
   }
   require_writable(file);
 }

@@ -5,8 +5,8 @@
 
 namespace plumb {
 
-/// Follows rays through a scene, recursively [Whitted 1980]. One a thread; it counts what it does. (Aligned, so that the
-/// counters of two threads do not share a cache line.)
+/// Follows rays through a scene, recursively [Whitted 1980]. One a thread; it counts what it does. (Aligned, so that
+/// the counters of two threads do not share a cache line.)
 class alignas(64) Tracer {
  public:
   explicit Tracer(const Scene& scene) : scene_(scene) {}

@@ -21,6 +21,7 @@ std::string one_line(const std::string& text) {
 }  // namespace
 
 InputError::InputError(SourceLocation where, const std::string& what)
-    : std::runtime_error(one_line(where.file.empty() ? what : to_string(where) + ": " + what)), where_(std::move(where)) {}
+    : std::runtime_error(one_line(where.file.empty() ? what : to_string(where) + ": " + what)),
+      where_(std::move(where)) {}
 
 }  // namespace plumb

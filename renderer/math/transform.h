@@ -43,11 +43,12 @@ class Transform {
   Normal3 operator()(const Normal3& n) const;
   /// Maps origin and direction. The direction is not renormalised, so t means the same in both frames.
   Ray operator()(const Ray& ray) const;
-  /// A box that holds every mapped point of the box: around its corners, and widened by their rounding_bound. Empty for an empty box.
+  /// A box that holds every mapped point of the box: around its corners, and widened by their rounding_bound. Empty for
+  /// an empty box.
   Bounds3 operator()(const Bounds3& bounds) const;
-  /// By how much, at most, each coordinate of the mapped point is off by rounding: the three products and three sums of a row are within
-  /// gamma_4 of the sum of the terms' magnitudes [Higham 2002, section 3.1], 4u of it; 8u covers the sum's own rounding.
-  /// Zero for the identity.
+  /// By how much, at most, each coordinate of the mapped point is off by rounding: the three products and three sums of
+  /// a row are within gamma_4 of the sum of the terms' magnitudes [Higham 2002, section 3.1], 4u of it; 8u covers the
+  /// sum's own rounding. Zero for the identity.
   Vec3 rounding_bound(const Point3& p) const;
 
   /// The ray in the frame that this transform maps from.

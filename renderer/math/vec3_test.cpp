@@ -8,7 +8,9 @@ namespace plumb {
 namespace {
 
 template <class A, class B>
-concept Addable = requires(A a, B b) { a + b; };
+concept Addable = requires(A a, B b) {
+  a + b;
+};
 
 TEST(Vec3, WrongMixturesDoNotCompile) {
   static_assert(!Addable<Point3, Point3>);

@@ -53,8 +53,10 @@ TEST(Fresnel, IsReciprocal) {
     const double beyond = refracted_cosine({cosine, 1, 1.5}).value();
     // The way back is steep near the critical angle: its slope there is at most about 2 / cosine.
     const double tolerance = 4 * kRounding / cosine;
-    EXPECT_NEAR(reflectance({cosine, 1, 1.5}, Fresnel::exact), reflectance({beyond, 1.5, 1}, Fresnel::exact), tolerance);
-    EXPECT_NEAR(reflectance({cosine, 1, 1.5}, Fresnel::schlick), reflectance({beyond, 1.5, 1}, Fresnel::schlick), tolerance);
+    EXPECT_NEAR(reflectance({cosine, 1, 1.5}, Fresnel::exact), reflectance({beyond, 1.5, 1}, Fresnel::exact),
+                tolerance);
+    EXPECT_NEAR(reflectance({cosine, 1, 1.5}, Fresnel::schlick), reflectance({beyond, 1.5, 1}, Fresnel::schlick),
+                tolerance);
   }
   EXPECT_GE(cases, 99);
 }
@@ -68,7 +70,8 @@ TEST(Fresnel, KnownValuesAt60Degrees) {
   EXPECT_NEAR(reflectance({0.5, 1, 1.5}, Fresnel::exact), (parallel * parallel + across * across) / 2, kRounding);
   // Schlick: 0.04 + 0.96 / 2^5.
   EXPECT_NEAR(reflectance({0.5, 1, 1.5}, Fresnel::schlick), 0.07, kRounding);
-  EXPECT_NEAR(reflectance({beyond, 1.5, 1}, Fresnel::schlick), 0.07, kRounding) << "from inside, the cosine outside counts";
+  EXPECT_NEAR(reflectance({beyond, 1.5, 1}, Fresnel::schlick), 0.07, kRounding)
+      << "from inside, the cosine outside counts";
 }
 
 TEST(Fresnel, StaysWithinZeroAndOne) {
@@ -94,7 +97,7 @@ TEST(Fresnel, DirectionsObeyTheirLaws) {
     const Normal3 normal = normalized(Normal3{u(random), u(random), u(random)});
     Vec3 viewer = normalized(Vec3{u(random), u(random), u(random)});
     if (dot(normal, viewer) < 0) viewer = -viewer;
-    const Interface interface{dot(normal, viewer), i % 2 ? 1.5 : 1.0, i % 2 ? 1.0 : 1.5};
+    const Interface interface { dot(normal, viewer), i % 2 ? 1.5 : 1.0, i % 2 ? 1.0 : 1.5 };
     const Vec3 mirrored = reflected(viewer, normal);
     EXPECT_NEAR(length(mirrored), 1, 10 * kRounding);
     EXPECT_NEAR(dot(normal, mirrored), interface.cosine, 10 * kRounding);
@@ -111,7 +114,8 @@ TEST(Fresnel, DirectionsObeyTheirLaws) {
     EXPECT_NEAR(length(through), 1, 10 * kRounding);
     EXPECT_NEAR(dot(normal, through), -*beyond, 10 * kRounding) << "to the far side";
     // Snell: from sin(a) = to sin(b), as vectors along the surface, with opposite sense.
-    const Vec3 difference = interface.from * cross(as_vector(normal), viewer) + interface.to * cross(as_vector(normal), through);
+    const Vec3 difference =
+        interface.from * cross(as_vector(normal), viewer) + interface.to * cross(as_vector(normal), through);
     EXPECT_NEAR(length(difference), 0, 20 * kRounding);
   }
   EXPECT_GT(refractions, 2500);
@@ -125,7 +129,8 @@ TEST(Fresnel, NamesFollowTheEnumeration) {
 }
 
 TEST(Fresnel, EqualIndicesReflectNothingEvenAtGrazing) {
-  for (const double cosine : {0.0, 1e-300, 0.5, 1.0}) EXPECT_EQ(reflectance({cosine, 1.5, 1.5}, Fresnel::exact), 0) << cosine;
+  for (const double cosine : {0.0, 1e-300, 0.5, 1.0})
+    EXPECT_EQ(reflectance({cosine, 1.5, 1.5}, Fresnel::exact), 0) << cosine;
 }
 
 }  // namespace

@@ -39,13 +39,15 @@ TEST(Lambertian, IsDiffuseTimesIntensityTimesCosine) {
 }
 
 TEST(Lambertian, LightsAdd) {
-  EXPECT_EQ(seen_from_above(kGrey + kFloor + light("0 0 2") + light("0 0 200", ".5 .5 .5")), (Color{0.75, 0.375, 1.5})) << "not clamped";
+  EXPECT_EQ(seen_from_above(kGrey + kFloor + light("0 0 2") + light("0 0 200", ".5 .5 .5")), (Color{0.75, 0.375, 1.5}))
+      << "not clamped";
 }
 
 TEST(Lambertian, WithoutLightIsBlack) { EXPECT_EQ(seen_from_above(kGrey + kFloor), kBlack); }
 
 TEST(Lambertian, LightsColorIsAnotherNameOfItsIntensity) {
-  EXPECT_EQ(seen_from_above(kGrey + kFloor + "<light><position>0 0 2</position><color>0 1 0</color></light>"), (Color{0, 0.25, 0}));
+  EXPECT_EQ(seen_from_above(kGrey + kFloor + "<light><position>0 0 2</position><color>0 1 0</color></light>"),
+            (Color{0, 0.25, 0}));
 }
 
 /// A triangle in the plane z = 0 whose normal is +z: it has nothing behind it that could block.
@@ -69,8 +71,9 @@ TEST(Lambertian, IsLitOnTheSideOfItsNormalOnly) {
 
 TEST(Shadow, OnlyWhatStandsBeforeTheLightBlocks) {
   const auto with_ball_at = [](const std::string& z, const std::string& shader = "s") {
-    return seen_from_above(kGrey + "<shader name='glass' type='Glass'><refractiveIndex>1.5</refractiveIndex></shader>" + kFloor + light("2 0 4") +
-                           "<surface type='Sphere'><center>" + z + "</center><radius>.25</radius><shader ref='" + shader + "'/></surface>");
+    return seen_from_above(kGrey + "<shader name='glass' type='Glass'><refractiveIndex>1.5</refractiveIndex></shader>" +
+                           kFloor + light("2 0 4") + "<surface type='Sphere'><center>" + z +
+                           "</center><radius>.25</radius><shader ref='" + shader + "'/></surface>");
   };
   const Color lit = seen_from_above(kGrey + kFloor + light("2 0 4"));
   EXPECT_GT(lit.r, 0.4);
@@ -101,7 +104,8 @@ TEST(Shadow, ASurfaceNearerThanTheOffsetDoesNotBlock) {
 }
 
 const std::string kShiny =
-    "<shader name='s' type='Phong'><diffuseColor>.5 .25 0</diffuseColor><specularColor>.25 .5 1</specularColor><exponent>10</exponent></shader>";
+    "<shader name='s' type='Phong'><diffuseColor>.5 .25 0</diffuseColor><specularColor>.25 .5 "
+    "1</specularColor><exponent>10</exponent></shader>";
 
 TEST(Phong, HighlightIsFullWhereTheHalfVectorIsTheNormal) {
   // Viewer along (3,0,4)/5, light along (-3,0,4)/5: h = n and n.l = 0.8.

@@ -74,8 +74,8 @@ inline constexpr Parameter surface_shader_parameter{
 
 /// The largest distances from the centre, by world axis, of a transformed disc of this radius about the z axis.
 Vec3 disc_extent(const AffineMatrix& m, double radius);
-/// The box around `center` +- `extent`, widened by `center_rounding` and by 8 u (|center| + extent), which covers the roundings of the extent
-/// and of the sums.
+/// The box around `center` +- `extent`, widened by `center_rounding` and by 8 u (|center| + extent), which covers the
+/// roundings of the extent and of the sums.
 Bounds3 bounds_around(const Point3& center, const Vec3& extent, const Vec3& center_rounding = {});
 
 }  // namespace plumb

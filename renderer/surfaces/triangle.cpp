@@ -9,8 +9,9 @@ struct PlanePoint {
   double x, y;
 };
 
-/// p x q, with the exact sign of its value. Rounding is monotone, so two rounded products that differ, differ the same way as the exact ones;
-/// where they are equal, the rounding errors, which fma gives exactly, decide. (Below 1e-290 the errors themselves may underflow.)
+/// p x q, with the exact sign of its value. Rounding is monotone, so two rounded products that differ, differ the same
+/// way as the exact ones; where they are equal, the rounding errors, which fma gives exactly, decide. (Below 1e-290 the
+/// errors themselves may underflow.)
 double cross_with_exact_sign(const PlanePoint& p, const PlanePoint& q) {
   const double left = p.x * q.y;
   const double right = p.y * q.x;
@@ -33,7 +34,8 @@ ShearedRay::ShearedRay(const Ray& of) : ray(of) {
   shear_y = of.direction[ky] / of.direction[kz];
 }
 
-std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b, const Point3& c) {
+std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
+                                              const Point3& c) {
   const Ray& ray = sheared.ray;
   const Vec3 to_a = a - ray.origin;
   const PlanePoint pa = seen_along(sheared, to_a);

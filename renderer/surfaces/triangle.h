@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// A ray with the shear that takes its direction to an axis: what does not depend on the triangle. It refers to the ray, whose range may
-/// shrink meanwhile.
+/// A ray with the shear that takes its direction to an axis: what does not depend on the triangle. It refers to the
+/// ray, whose range may shrink meanwhile.
 struct ShearedRay {
   explicit ShearedRay(const Ray& ray);
 
@@ -22,12 +22,14 @@ struct TriangleHit {
   double t, u, v;
 };
 
-/// Both sides count; edges and vertices belong to the triangle. A ray in the triangle's plane and a triangle without area are missed, and
-/// so is every triangle by a ray with NaN.
+/// Both sides count; edges and vertices belong to the triangle. A ray in the triangle's plane and a triangle without
+/// area are missed, and so is every triangle by a ray with NaN.
 ///
-/// Watertight [Woop 2013]: seen along the ray, each vertex is a point of a plane, rounded alike for every triangle that shares it, and
-/// on which side of an edge the ray passes is decided exactly between those points. So no ray slips between neighbours, at a
-/// vertex neither. t is taken from the triangle's own plane, with its edges as differences, which is more accurate than the same products.
-std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b, const Point3& c);
+/// Watertight [Woop 2013]: seen along the ray, each vertex is a point of a plane, rounded alike for every triangle that
+/// shares it, and on which side of an edge the ray passes is decided exactly between those points. So no ray slips
+/// between neighbours, at a vertex neither. t is taken from the triangle's own plane, with its edges as differences,
+/// which is more accurate than the same products.
+std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
+                                              const Point3& c);
 
 }  // namespace plumb

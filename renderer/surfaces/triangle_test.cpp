@@ -51,7 +51,9 @@ TEST(Triangle, JustBesideAnEdgeIsAMiss) {
 }
 
 TEST(Triangle, RangeIsClosedAtBothEnds) {
-  const auto hit = [](double from, double to) { return triangle_hit({{0.25, 0.25, 4}, {0, 0, -1}, from, to}, kA, kB, kC).has_value(); };
+  const auto hit = [](double from, double to) {
+    return triangle_hit({{0.25, 0.25, 4}, {0, 0, -1}, from, to}, kA, kB, kC).has_value();
+  };
   EXPECT_TRUE(hit(4, 4));
   EXPECT_FALSE(hit(std::nextafter(4, 5), 10));
   EXPECT_FALSE(hit(0, std::nextafter(4, 3)));
@@ -125,7 +127,8 @@ TEST(Triangle, NothingLeaksThroughTheEdgesAndVerticesOfAClosedMesh) {
     // From outside, where the target looks at the origin by far: the sphere's horizon from 3 away is at cosine 1/3.
     const Vec3 where = normalized(Vec3{u(random), u(random), u(random)});
     if (!(dot(where, target - Point3{}) > 0.5)) continue;
-    ASSERT_GE(hits_of(mesh, {Point3{} + 3 * where, target - (Point3{} + 3 * where)}), 1) << "leak from outside, case " << i;
+    ASSERT_GE(hits_of(mesh, {Point3{} + 3 * where, target - (Point3{} + 3 * where)}), 1)
+        << "leak from outside, case " << i;
     ++from_outside;
   }
   EXPECT_GE(from_inside, 50000);

@@ -14,7 +14,8 @@ Transform random_transform(std::mt19937_64& random) {
   std::uniform_real_distribution<double> u(-1, 1);
   const auto factor = [&] { return std::copysign(0.2 + 2 * std::fabs(u(random)), u(random)); };
   return Transform(translation({9 * u(random), 9 * u(random), 9 * u(random)}) *
-                   rotation_degrees({180 * u(random), 180 * u(random), 180 * u(random)}) * scaling({factor(), factor(), factor()}));
+                   rotation_degrees({180 * u(random), 180 * u(random), 180 * u(random)}) *
+                   scaling({factor(), factor(), factor()}));
 }
 
 using Extended = long double;
@@ -74,11 +75,13 @@ TEST(WorldBounds, HoldTheTransformedCylinder) {
   expect_contained("<surface type='Cylinder'><height>2</height></surface>", Shape::cylinder);
 }
 TEST(WorldBounds, HoldTheTransformedCone) {
-  expect_contained("<surface type='Cone'><center>0 0 1</center><tipz>3</tipz><height>4</height></surface>", Shape::cone);
+  expect_contained("<surface type='Cone'><center>0 0 1</center><tipz>3</tipz><height>4</height></surface>",
+                   Shape::cone);
 }
 
 TEST(WorldBounds, OfASphereAreTight) {
-  // Along axis i it reaches r |row i|: the bounds may be wider by roundings only, 32 units of 2^-53 of centre and extent.
+  // Along axis i it reaches r |row i|: the bounds may be wider by roundings only, 32 units of 2^-53 of centre and
+  // extent.
   const OneSurface sphere("<surface type='Sphere'><center>1 2 3</center><radius>2</radius></surface>");
   std::mt19937_64 random(37);
   int cases = 0, smaller_than_box = 0;
@@ -88,7 +91,9 @@ TEST(WorldBounds, OfASphereAreTight) {
     const Bounds3 box = transform(sphere->bounds());
     for (int axis = 0; axis < 3; ++axis) {
       const auto& row = transform.matrix()[static_cast<std::size_t>(axis)];
-      const Extended extent = 2 * std::sqrt(static_cast<Extended>(row[0]) * row[0] + static_cast<Extended>(row[1]) * row[1] + static_cast<Extended>(row[2]) * row[2]);
+      const Extended extent =
+          2 * std::sqrt(static_cast<Extended>(row[0]) * row[0] + static_cast<Extended>(row[1]) * row[1] +
+                        static_cast<Extended>(row[2]) * row[2]);
       const Extended center = row[0] * 1.0L + row[1] * 2.0L + row[2] * 3.0L + row[3];
       const Extended slack = 32 * 0x1p-53L * (std::fabs(center) + extent + 30);
       EXPECT_LE(bounds.max[axis], center + extent + slack);
@@ -129,8 +134,8 @@ TEST(WorldBounds, OfABoxAreThoseOfItsCorners) {
   expect(translation({1, 1, 1}) * scaling({-1, 2, 1}), {{0, -3, -2}, {2, 5, 4}}, 5);
 }
 
-/// The exact largest coordinate of a mapped corner, in 113 bits: each product of two doubles is exact there, and the sum of four is off
-/// by less than 2^-110 of its terms, far below the u = 2^-53 that matters here.
+/// The exact largest coordinate of a mapped corner, in 113 bits: each product of two doubles is exact there, and the
+/// sum of four is off by less than 2^-110 of its terms, far below the u = 2^-53 that matters here.
 __extension__ using Quad = __float128;
 
 TEST(WorldBounds, ABoxContainsItsMappedCornersWithoutRounding) {
@@ -139,7 +144,8 @@ TEST(WorldBounds, ABoxContainsItsMappedCornersWithoutRounding) {
   int corners = 0, inside_by_rounding = 0;
   for (int i = 0; i < 1000; ++i) {
     const Bounds3 box{{u(random) - 2, u(random) - 2, u(random) - 2}, {u(random) + 2, u(random) + 2, u(random) + 2}};
-    const Transform map(translation({1e3 * u(random), u(random), u(random)}) * rotation_degrees({180 * u(random), 180 * u(random), 180 * u(random)}));
+    const Transform map(translation({1e3 * u(random), u(random), u(random)}) *
+                        rotation_degrees({180 * u(random), 180 * u(random), 180 * u(random)}));
     const Bounds3 bounds = map(box);
     for (int c = 0; c < 8; ++c, ++corners) {
       const Point3 p = box.corner(c);

@@ -74,13 +74,15 @@ bool is_source(const fs::path& file) { return file.extension() == ".cpp" || file
 std::string include_fault(std::string_view file, std::string_view include, bool quoted) {
   if (!quoted) {
     for (const Library& library : libraries())
-      if (include.starts_with(library.include_prefix) && !starts_with_any(file, library.users)) return std::string(file) + " includes <" + std::string(include) + ">, which belongs to another room";
+      if (include.starts_with(library.include_prefix) && !starts_with_any(file, library.users))
+        return std::string(file) + " includes <" + std::string(include) + ">, which belongs to another room";
     return "";
   }
   const Room* room = room_of(file);
   if (!room) return std::string(file) + " lies in no room";
   const Room* target = room_of(include);
-  if (!target) return std::string(file) + " includes \"" + std::string(include) + "\", which is no path from the project's root";
+  if (!target)
+    return std::string(file) + " includes \"" + std::string(include) + "\", which is no path from the project's root";
   if (target == room || starts_with_any(include, room->may_include)) return "";
   // The renderer's own subfolders image and math have rows of their own, which the rest of the renderer may see.
   if (room->prefix == "renderer/" && include.starts_with("renderer/")) return "";
@@ -88,9 +90,11 @@ std::string include_fault(std::string_view file, std::string_view include, bool 
 }
 
 std::string top_level_fault(std::string_view name) {
-  static constexpr std::array<std::string_view, 12> kFolders{"renderer", "reference", "conformance", "meshes", "scenes", "tools",
-                                                             "reports",  "docs",      "examples",    "bench",  "suites", "build"};
-  static constexpr std::array<std::string_view, 7> kFiles{"CMakeLists.txt", "CMakePresets.json", "README.md", "CONTRIBUTING.md", "CHANGELOG.md", "LICENSE", "dev"};
+  static constexpr std::array<std::string_view, 12> kFolders{"renderer", "reference", "conformance", "meshes",
+                                                             "scenes",   "tools",     "reports",     "docs",
+                                                             "examples", "bench",     "suites",      "build"};
+  static constexpr std::array<std::string_view, 7> kFiles{
+      "CMakeLists.txt", "CMakePresets.json", "README.md", "CONTRIBUTING.md", "CHANGELOG.md", "LICENSE", "dev"};
   if (name.starts_with(".") || name.starts_with("plumb-results")) return "";
   if (std::ranges::find(kFolders, name) != kFolders.end() || std::ranges::find(kFiles, name) != kFiles.end()) return "";
   return std::string(name) + " at the top level has no row in the layers table";
@@ -99,7 +103,8 @@ std::string top_level_fault(std::string_view name) {
 std::string file_fault(std::string_view file, int lines) {
   constexpr int kLongest = 500;
   static const std::regex vague("(^|[/_])(util|utils|common|helper|helpers|misc)([_.])");
-  if (lines > kLongest) return std::string(file) + " has " + std::to_string(lines) + " lines, which wants a second room";
+  if (lines > kLongest)
+    return std::string(file) + " has " + std::to_string(lines) + " lines, which wants a second room";
   if (std::regex_search(std::string(file), vague)) return std::string(file) + " has a name that says nothing";
   return "";
 }

@@ -9,8 +9,8 @@ namespace plumb {
 
 /// What may include what: docs/architecture.md, as a table. Paths are relative to the project's root.
 
-/// What is wrong with one include of one file, in a sentence; empty if it is allowed. `include` is the text between the quotes or angle
-/// brackets, `quoted` whether it stood in quotes.
+/// What is wrong with one include of one file, in a sentence; empty if it is allowed. `include` is the text between the
+/// quotes or angle brackets, `quoted` whether it stood in quotes.
 std::string include_fault(std::string_view file, std::string_view include, bool quoted);
 
 /// What is wrong with an entry of the project's top level; empty if it has its row.

@@ -37,23 +37,34 @@ Columns: *default* is what counts if the tag is missing (**required**: it must b
 
 std::string_view type_name(const Parameter& p) {
   switch (p.type) {
-    case ValueType::number: return "number";
-    case ValueType::integer: return "whole number";
-    case ValueType::size: return "width height";
-    case ValueType::point: return "point";
-    case ValueType::vector: return "vector";
-    case ValueType::color: return "color";
-    case ValueType::file: return "file name";
-    case ValueType::object: return to_string(p.role);
+    case ValueType::number:
+      return "number";
+    case ValueType::integer:
+      return "whole number";
+    case ValueType::size:
+      return "width height";
+    case ValueType::point:
+      return "point";
+    case ValueType::vector:
+      return "vector";
+    case ValueType::color:
+      return "color";
+    case ValueType::file:
+      return "file name";
+    case ValueType::object:
+      return to_string(p.role);
   }
   return "";
 }
 
 std::string default_text(const Parameter& p) {
   switch (p.presence) {
-    case Presence::required: return "**required**";
-    case Presence::optional: return "-";
-    case Presence::defaulted: return fmt::format("`{}`", p.default_text);
+    case Presence::required:
+      return "**required**";
+    case Presence::optional:
+      return "-";
+    case Presence::defaulted:
+      return fmt::format("`{}`", p.default_text);
   }
   return "";
 }
@@ -70,7 +81,8 @@ void print_kind(const Kind& kind, std::string_view heading) {
   fmt::print("\n### {}\n\n{}\n\n", heading, kind.meaning);
   fmt::print("| tag | type | unit | default | meaning | since |\n| --- | --- | --- | --- | --- | --- |\n");
   for (const Parameter& p : kind.parameters)
-    fmt::print("| `{}` | {} | {} | {} | {} | {} |\n", p.name, type_name(p), p.unit, default_text(p), meaning(p), p.since);
+    fmt::print("| `{}` | {} | {} | {} | {} | {} |\n", p.name, type_name(p), p.unit, default_text(p), meaning(p),
+               p.since);
 }
 
 }  // namespace

@@ -35,17 +35,21 @@ Size2 parse_size(std::string_view text) {
     throw InputError({}, "--size: '" + std::string(text) + "' is no size, expected WxH such as 640x480");
   }
   const Size2 size{(*numbers)[0], (*numbers)[1]};
-  if (size.width > kLargestImageSide || size.height > kLargestImageSide || static_cast<long>(size.width) * size.height > kMostImagePixels) {
-    throw InputError({}, "--size: '" + std::string(text) + "' is too large, expected at most " + std::to_string(kLargestImageSide) +
-                             " a side and " + std::to_string(kMostImagePixels) + " pixels");
+  if (size.width > kLargestImageSide || size.height > kLargestImageSide ||
+      static_cast<long>(size.width) * size.height > kMostImagePixels) {
+    throw InputError({}, "--size: '" + std::string(text) + "' is too large, expected at most " +
+                             std::to_string(kLargestImageSide) + " a side and " + std::to_string(kMostImagePixels) +
+                             " pixels");
   }
   return size;
 }
 
 PixelRect parse_rect(std::string_view text) {
   const auto numbers = whole_numbers(text, ',');
-  if (!numbers || numbers->size() != 4 || (*numbers)[0] < 0 || (*numbers)[1] < 0 || (*numbers)[2] < 1 || (*numbers)[3] < 1) {
-    throw InputError({}, "--crop: '" + std::string(text) + "' is no part of a picture, expected X,Y,W,H with rows from the top");
+  if (!numbers || numbers->size() != 4 || (*numbers)[0] < 0 || (*numbers)[1] < 0 || (*numbers)[2] < 1 ||
+      (*numbers)[3] < 1) {
+    throw InputError(
+        {}, "--crop: '" + std::string(text) + "' is no part of a picture, expected X,Y,W,H with rows from the top");
   }
   return {(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
 }
@@ -53,7 +57,8 @@ PixelRect parse_rect(std::string_view text) {
 std::size_t parse_choice(std::string_view option, std::string_view name, std::span<const std::string_view> names) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    throw InputError({}, std::string(option) + ": unknown value '" + std::string(name) + "', expected " + joined(names) + did_you_mean(name, names));
+    throw InputError({}, std::string(option) + ": unknown value '" + std::string(name) + "', expected " +
+                             joined(names) + did_you_mean(name, names));
   }
   return static_cast<std::size_t>(found - names.begin());
 }

@@ -33,7 +33,8 @@ void print_text(const PictureJudgement& judgement, const Arguments& arguments) {
   fmt::print("{}: {}\n", is_right(result.verdict) ? "same" : "different", result.summary);
   if (!result.advice.empty()) fmt::print("  {}\n", result.advice);
   if (!judgement.difference) return;
-  fmt::print("  {:<8}{:>12}{:>12}{:>12}{:>16}\n", "channel", "max", "mean", "rms", fmt::format("share > {:g}", arguments.tolerance));
+  fmt::print("  {:<8}{:>12}{:>12}{:>12}{:>16}\n", "channel", "max", "mean", "rms",
+             fmt::format("share > {:g}", arguments.tolerance));
   for (std::size_t c = 0; c < 3; ++c) {
     const ChannelDifference& d = judgement.difference->channels[c];
     fmt::print("  {:<8}{:>12.6g}{:>12.6g}{:>12.6g}{:>16.6g}\n", kChannels[c], d.max, d.mean, d.rms, d.share_past);
@@ -42,12 +43,13 @@ void print_text(const PictureJudgement& judgement, const Arguments& arguments) {
 
 void print_json(const PictureJudgement& judgement, const Arguments& arguments) {
   const CheckResult& result = judgement.result;
-  nlohmann::ordered_json json{{"schema", 1},
-                              {"verdict", to_string(result.verdict)},
-                              {"cause", result.cause},
-                              {"summary", result.summary},
-                              {"tolerance", arguments.tolerance},
-                              {"margin", result.margin ? nlohmann::ordered_json(*result.margin) : nlohmann::ordered_json()}};
+  nlohmann::ordered_json json{
+      {"schema", 1},
+      {"verdict", to_string(result.verdict)},
+      {"cause", result.cause},
+      {"summary", result.summary},
+      {"tolerance", arguments.tolerance},
+      {"margin", result.margin ? nlohmann::ordered_json(*result.margin) : nlohmann::ordered_json()}};
   if (judgement.difference) {
     const PictureDifference& d = *judgement.difference;
     json["pixels"] = d.pixels;
@@ -56,7 +58,10 @@ void print_json(const PictureJudgement& judgement, const Arguments& arguments) {
     json["max_at"] = {d.max_x, d.max_y};
     for (std::size_t c = 0; c < 3; ++c) {
       const ChannelDifference& channel = d.channels[c];
-      json["channels"][kChannels[c]] = {{"max", channel.max}, {"mean", channel.mean}, {"rms", channel.rms}, {"share_past_tolerance", channel.share_past}};
+      json["channels"][kChannels[c]] = {{"max", channel.max},
+                                        {"mean", channel.mean},
+                                        {"rms", channel.rms},
+                                        {"share_past_tolerance", channel.share_past}};
     }
   }
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -107,13 +112,19 @@ int run(const Arguments& arguments) {
 
 void add_diff_command(CLI::App& app, Action& action) {
   // CLI11's own check lets NaN pass, against which nothing is different.
-  const CLI::Validator not_negative([](std::string& text) { return parse_tolerance(text); }, "NUMBER >= 0", "tolerance");
-  CLI::App* command = app.add_subcommand("diff", "Compare two pictures (PNG, EXR, PPM): exit status 0 if they are the same");
+  const CLI::Validator not_negative([](std::string& text) { return parse_tolerance(text); }, "NUMBER >= 0",
+                                    "tolerance");
+  CLI::App* command =
+      app.add_subcommand("diff", "Compare two pictures (PNG, EXR, PPM): exit status 0 if they are the same");
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("picture", a.picture, "The picture to judge")->required()->type_name("A");
   command->add_option("reference", a.reference, "The picture it should be")->required()->type_name("B");
-  command->add_option("--tolerance", a.tolerance, "Largest channel difference that counts as the same: 8-bit levels, or linear for EXR")->check(not_negative)->capture_default_str();
+  command
+      ->add_option("--tolerance", a.tolerance,
+                   "Largest channel difference that counts as the same: 8-bit levels, or linear for EXR")
+      ->check(not_negative)
+      ->capture_default_str();
   command->add_option("--out", a.out, "Write an amplified heat map of the difference")->type_name("FILE.png");
   command->add_flag("--json", a.json, "Print the result as JSON");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });

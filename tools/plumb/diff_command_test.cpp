@@ -53,11 +53,16 @@ class DiffCommandTest : public testing::Test {
     fs::remove_all(folder_, ignored);
   }
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
-  void png(const std::string& name, const std::vector<std::uint8_t>& levels, int width) const { write_png(levels, width, 1, folder_ / name); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  void png(const std::string& name, const std::vector<std::uint8_t>& levels, int width) const {
+    write_png(levels, width, 1, folder_ / name);
+  }
 
   int diff(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.string() + "' && '" PLUMB_PROGRAM "' diff " + arguments + " >said.txt 2>complained.txt";
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" PLUMB_PROGRAM "' diff " + arguments + " >said.txt 2>complained.txt";
     const int status = std::system(command.c_str());
     said_ = content(folder_ / "said.txt");
     complained_ = content(folder_ / "complained.txt");
@@ -147,7 +152,8 @@ TEST_F(DiffCommandTest, JsonHoldsEveryNumber) {
 }
 
 TEST_F(DiffCommandTest, JsonSaysWhyAPictureCouldNotBeCompared) {
-  for (const char* arguments : {"text.png a.png", "a.png text.png", "cut.png a.png", "narrow.png a.png", "infinite.exr a.exr"}) {
+  for (const char* arguments :
+       {"text.png a.png", "a.png text.png", "cut.png a.png", "narrow.png a.png", "infinite.exr a.exr"}) {
     EXPECT_EQ(diff(std::string(arguments) + " --json"), 1);
     const nlohmann::json json = nlohmann::json::parse(said_);
     EXPECT_EQ(json["verdict"], "fail") << arguments;

@@ -40,7 +40,8 @@ class ExamplesTest : public testing::Test {
   /// Runs a line of shell in which `plumb` is the program under test; returns its exit status, and keeps what it says.
   int run(const std::string& line) {
     const std::string path = fs::path(PLUMB_PROGRAM).parent_path().string();
-    const std::string command = "cd '" + folder_.string() + "' && PATH='" + path + "':\"$PATH\" && { " + line + "; } >said.txt 2>&1";
+    const std::string command =
+        "cd '" + folder_.string() + "' && PATH='" + path + "':\"$PATH\" && { " + line + "; } >said.txt 2>&1";
     const int status = std::system(command.c_str());
     said_ = content(folder_ / "said.txt");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -58,8 +59,12 @@ class ExamplesTest : public testing::Test {
   }
 
   /// Grades an example and returns the cases that are not right; every case must have been judged.
-  std::vector<std::string> wrong_cases(const std::string& example, const fs::path& suite, int expected_status, std::size_t expected_cases) {
-    EXPECT_EQ(run("plumb grade '" PLUMB_SOURCE_DIR "/examples/" + example + "' --suite '" + suite.string() + "' --out out"), expected_status) << said_;
+  std::vector<std::string> wrong_cases(const std::string& example, const fs::path& suite, int expected_status,
+                                       std::size_t expected_cases) {
+    EXPECT_EQ(
+        run("plumb grade '" PLUMB_SOURCE_DIR "/examples/" + example + "' --suite '" + suite.string() + "' --out out"),
+        expected_status)
+        << said_;
     results_ = nlohmann::json::parse(content(folder_ / "out/results.json"));
     EXPECT_THAT(results_["cases"], SizeIs(expected_cases));
     std::vector<std::string> wrong;
@@ -74,14 +79,16 @@ class ExamplesTest : public testing::Test {
 
   void expect_equal_to_the_last_pixel() const {
     for (const nlohmann::json& c : results_["cases"]) {
-      const nlohmann::json json = nlohmann::json::parse(content(folder_ / "out/cases" / c["id"].get<std::string>() / "case.json"));
+      const nlohmann::json json =
+          nlohmann::json::parse(content(folder_ / "out/cases" / c["id"].get<std::string>() / "case.json"));
       EXPECT_EQ(json["evidence"]["max_difference"], 0) << c["id"];
     }
   }
 
   static int replace_all(std::string& text, const std::string& what, const std::string& by) {
     int count = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()), ++count) text.replace(at, what.size(), by);
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()), ++count)
+      text.replace(at, what.size(), by);
     return count;
   }
 
@@ -98,9 +105,11 @@ TEST_F(ExamplesTest, TheCorrectOneInCppPasses) {
 }
 
 TEST_F(ExamplesTest, TheFaultyOneInCppFailsExactlyItsFaultyCases) {
-  EXPECT_THAT(wrong_cases("cpp-faulty", own_suite("demo.toml"), 1, kDemoCases), UnorderedElementsAre("groups", "glazed"));
+  EXPECT_THAT(wrong_cases("cpp-faulty", own_suite("demo.toml"), 1, kDemoCases),
+              UnorderedElementsAre("groups", "glazed"));
   EXPECT_EQ(results_["totals"]["points"], 78);
-  for (const char* id : {"groups", "glazed"}) EXPECT_TRUE(fs::exists(folder_ / "out/cases" / id / "difference.png")) << id;
+  for (const char* id : {"groups", "glazed"})
+    EXPECT_TRUE(fs::exists(folder_ / "out/cases" / id / "difference.png")) << id;
 }
 
 TEST_F(ExamplesTest, TheOneInJavaFailsExactlyItsFaultyCase) {
@@ -113,7 +122,9 @@ TEST_F(ExamplesTest, OurOwnTracerPassesThroughTheSameDoor) {
   expect_equal_to_the_last_pixel();
 }
 
-TEST_F(ExamplesTest, AnotherSceneFormatPasses) { EXPECT_THAT(wrong_cases("text-spheres", own_suite("text-spheres.toml"), 0, 1), IsEmpty()); }
+TEST_F(ExamplesTest, AnotherSceneFormatPasses) {
+  EXPECT_THAT(wrong_cases("text-spheres", own_suite("text-spheres.toml"), 0, 1), IsEmpty());
+}
 
 #ifdef PLUMB_COURSE_SUITE
 constexpr std::size_t kCourseScenes = 10;
@@ -131,12 +142,14 @@ TEST_F(ExamplesTest, TheCorrectOneInCppEqualsTheCoursesPictures) {
 }
 
 TEST_F(ExamplesTest, TheOneInJavaFailsTheCoursesTurnedScenes) {
-  EXPECT_THAT(wrong_cases("java-course", PLUMB_COURSE_SUITE, 1, kCourseScenes), UnorderedElementsAre("sphereSquished", "sphereMeshSquished"));
+  EXPECT_THAT(wrong_cases("java-course", PLUMB_COURSE_SUITE, 1, kCourseScenes),
+              UnorderedElementsAre("sphereSquished", "sphereMeshSquished"));
   EXPECT_EQ(results_["totals"]["points"], 80);
 }
 
 TEST_F(ExamplesTest, TheFaultyOneInCppFailsTheCoursesScenesOfItsFaults) {
-  EXPECT_THAT(wrong_cases("cpp-faulty", PLUMB_COURSE_SUITE, 1, kCourseScenes), UnorderedElementsAre("sphereSquished", "sphereMeshSquished", "glazed-ball", "Test4-glazed"));
+  EXPECT_THAT(wrong_cases("cpp-faulty", PLUMB_COURSE_SUITE, 1, kCourseScenes),
+              UnorderedElementsAre("sphereSquished", "sphereMeshSquished", "glazed-ball", "Test4-glazed"));
 }
 #endif
 

@@ -46,27 +46,34 @@ class GradeCommandTest : public testing::Test {
     write("slow.txt", "slow");
     write("right.toml", kHead + a_case("good"));
     write("wrong.toml", kHead + a_case("good") + a_case("bad"));
-    write("slow.toml", kHead + a_case("good") + a_case("slow", "cpu_seconds = 60\n") + a_case("bad", "cpu_seconds = 90\n"));
+    write("slow.toml",
+          kHead + a_case("good") + a_case("slow", "cpu_seconds = 60\n") + a_case("bad", "cpu_seconds = 90\n"));
   }
   ~GradeCommandTest() override {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
   static std::string a_case(const std::string& id, const std::string& keys = "") {
     return "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nreference = \"ref.png\"\n" + keys;
   }
   int plumb(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.string() + "' && '" PLUMB_PROGRAM "' " + arguments + " >said.txt 2>complained.txt";
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" PLUMB_PROGRAM "' " + arguments + " >said.txt 2>complained.txt";
     const int status = std::system(command.c_str());
     said_ = content(folder_ / "said.txt");
     complained_ = content(folder_ / "complained.txt");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-  nlohmann::json results(const std::string& out) const { return nlohmann::json::parse(content(folder_ / out / "results.json")); }
+  nlohmann::json results(const std::string& out) const {
+    return nlohmann::json::parse(content(folder_ / out / "results.json"));
+  }
 
-  static inline const std::string kHead = "[suite]\nid = \"s\"\nschema = 1\n[runner]\nrender = [\"/bin/sh\", \"render.sh\", \"{scene}\", \"{output}\"]\n";
+  static inline const std::string kHead =
+      "[suite]\nid = \"s\"\nschema = 1\n[runner]\nrender = [\"/bin/sh\", \"render.sh\", \"{scene}\", \"{output}\"]\n";
   fs::path folder_;
   std::string said_, complained_;
 };
@@ -128,7 +135,8 @@ TEST_F(GradeCommandTest, AnInterruptStillWritesTheResults) {
   ASSERT_GE(pid, 0);
   if (pid == 0) {
     std::freopen((folder_ / "said.txt").c_str(), "w", stdout);
-    ::execl(PLUMB_PROGRAM, "plumb", "grade", submission.c_str(), "--suite", suite.c_str(), "--out", out.c_str(), nullptr);
+    ::execl(PLUMB_PROGRAM, "plumb", "grade", submission.c_str(), "--suite", suite.c_str(), "--out", out.c_str(),
+            nullptr);
     ::_exit(99);
   }
   // The first case is written before the slow one starts, which sleeps far longer than this test waits.
@@ -164,11 +172,15 @@ TEST_F(GradeCommandTest, TheResultsDoNotDependOnWhereTheProgramIsCalledFrom) {
   EXPECT_EQ(plumb("grade sub --suite wrong.toml --out here"), 1);
   fs::create_directory(folder_ / "below");
   fs::create_directory(folder_ / "below/temporary");
-  const std::string command = "cd '" + (folder_ / "below").string() + "' && TMPDIR=\"$PWD/temporary\" '" PLUMB_PROGRAM "' grade ../sub/ --suite ../wrong.toml --out there/ >/dev/null 2>&1";
+  const std::string command = "cd '" + (folder_ / "below").string() +
+                              "' && TMPDIR=\"$PWD/temporary\" '" PLUMB_PROGRAM
+                              "' grade ../sub/ --suite ../wrong.toml --out there/ >/dev/null 2>&1";
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(content(folder_ / "here/results.json"), content(folder_ / "below/there/results.json"));
-  for (const char* id : {"good", "bad"}) EXPECT_EQ(content(folder_ / "here/cases" / id / "case.json"), content(folder_ / "below/there/cases" / id / "case.json"));
+  for (const char* id : {"good", "bad"})
+    EXPECT_EQ(content(folder_ / "here/cases" / id / "case.json"),
+              content(folder_ / "below/there/cases" / id / "case.json"));
   EXPECT_THAT(content(folder_ / "here/results.json"), HasSubstr("\"submission\": \"sub\""));
 }
 

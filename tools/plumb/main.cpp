@@ -25,7 +25,8 @@ void check_verb(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string_view> verbs;
   for (const CLI::App* verb : app.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
   if (std::ranges::find(verbs, argv[1]) != verbs.end()) return;
-  throw plumb::InputError({}, std::string("plumb: unknown verb '") + argv[1] + "', expected " + plumb::joined(verbs) + plumb::did_you_mean(argv[1], verbs));
+  throw plumb::InputError({}, std::string("plumb: unknown verb '") + argv[1] + "', expected " + plumb::joined(verbs) +
+                                  plumb::did_you_mean(argv[1], verbs));
 }
 
 }  // namespace

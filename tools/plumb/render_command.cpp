@@ -75,7 +75,10 @@ Plan plan_of(const Arguments& arguments) {
   plan.kinds = renderer_kinds(dialect_named(arguments.dialect));
   plan.build.fresnel = static_cast<Fresnel>(parse_choice("--fresnel", arguments.fresnel, fresnel_names()));
   plan.build.accel = static_cast<Accel>(parse_choice("--accel", arguments.accel, accel_names()));
-  plan.build.overrides = {.image_size = std::nullopt, .samples = arguments.samples, .max_depth = arguments.max_depth, .min_contribution = arguments.min_contribution};
+  plan.build.overrides = {.image_size = std::nullopt,
+                          .samples = arguments.samples,
+                          .max_depth = arguments.max_depth,
+                          .min_contribution = arguments.min_contribution};
   if (arguments.size) plan.build.overrides.image_size = parse_size(*arguments.size);
   plan.render.threads = arguments.threads;
   if (arguments.crop) plan.render.crop = parse_rect(*arguments.crop);
@@ -90,7 +93,8 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
   if (into_folder) {
     std::error_code error;
     fs::create_directories(output, error);
-    if (!fs::is_directory(output)) throw InputError({output.string()}, "cannot make the folder for the pictures: " + error.message());
+    if (!fs::is_directory(output))
+      throw InputError({output.string()}, "cannot make the folder for the pictures: " + error.message());
   }
   std::vector<Job> jobs;
   std::set<fs::path> pictures;
@@ -98,7 +102,8 @@ std::vector<Job> jobs_of(const Arguments& arguments) {
     fs::path picture = into_folder ? output / scene.filename() : output.empty() ? scene : output;
     if (into_folder || output.empty()) picture += ".png";
     if (!pictures.insert(picture.lexically_normal()).second) {
-      throw InputError({scene.string()}, "its picture '" + picture.string() + "' would overwrite that of another scene of this command");
+      throw InputError({scene.string()},
+                       "its picture '" + picture.string() + "' would overwrite that of another scene of this command");
     }
     jobs.push_back({scene, picture});
   }
@@ -109,7 +114,8 @@ void check_crop(const RenderOptions& options, Size2 size) {
   if (!options.crop) return;
   const PixelRect& c = *options.crop;
   if (c.x > size.width - c.width || c.y > size.height - c.height) {
-    throw InputError({}, fmt::format("--crop: {},{},{},{} reaches outside of the picture of {}x{}", c.x, c.y, c.width, c.height, size.width, size.height));
+    throw InputError({}, fmt::format("--crop: {},{},{},{} reaches outside of the picture of {}x{}", c.x, c.y, c.width,
+                                     c.height, size.width, size.height));
   }
 }
 
@@ -149,10 +155,12 @@ nlohmann::ordered_json stats_json(const Job& job, const Cost& cost) {
 void print_stats(const Job& job, const Cost& cost) {
   const auto& rays = cost.counters.rays;
   fmt::print("{}\n", job.scene.string());
-  fmt::print("  rays             primary {}, reflection {}, refraction {}, shadow {}\n", rays[0], rays[1], rays[2], rays[3]);
+  fmt::print("  rays             primary {}, reflection {}, refraction {}, shadow {}\n", rays[0], rays[1], rays[2],
+             rays[3]);
   fmt::print("  node visits      {}\n", cost.counters.node_visits);
   fmt::print("  primitive tests  {}\n", cost.counters.primitive_tests);
-  fmt::print("  seconds          read {:.3f}, build {:.3f}, render {:.3f}, write {:.3f}\n", cost.read, cost.build, cost.render, cost.write);
+  fmt::print("  seconds          read {:.3f}, build {:.3f}, render {:.3f}, write {:.3f}\n", cost.read, cost.build,
+             cost.render, cost.write);
 }
 
 int run(const Arguments& arguments) {
@@ -182,17 +190,33 @@ void add_render_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("scenes", a.scenes, "Scenes, or folders of scenes (*.xml)")->required()->type_name("SCENE");
-  command->add_option("-o,--output", a.output, "The picture (.png, or .exr: linear) of a single scene; a folder for several")->type_name("PATH");
+  command
+      ->add_option("-o,--output", a.output,
+                   "The picture (.png, or .exr: linear) of a single scene; a folder for several")
+      ->type_name("PATH");
   command->add_option("--threads", a.threads, "Threads [all processors]")->check(CLI::Range(1, 1024))->type_name("N");
-  command->add_option("--samples", a.samples, "Samples a pixel, in place of the scene's")->check(CLI::Range(1, 1 << 20))->type_name("N");
+  command->add_option("--samples", a.samples, "Samples a pixel, in place of the scene's")
+      ->check(CLI::Range(1, 1 << 20))
+      ->type_name("N");
   command->add_option("--size", a.size, "Size of the picture, in place of the scene's")->type_name("WxH");
   command->add_option("--crop", a.crop, "Only this part of the picture, rows from the top")->type_name("X,Y,W,H");
-  command->add_option("--dialect", a.dialect, "Rules of the scene format: " + joined(dialect_names()))->capture_default_str();
-  command->add_option("--fresnel", a.fresnel, "Reflectance of Glass and Glazed: " + joined(fresnel_names()))->capture_default_str();
-  command->add_option("--max-depth", a.max_depth, "Longest chain of rays, in place of the scene's")->check(CLI::Range(1, 1000))->type_name("N");
-  command->add_option("--min-contribution", a.min_contribution, "Rays that would count for less are dropped, in place of the scene's")->check(CLI::Range(0.0, 1.0))->type_name("X");
+  command->add_option("--dialect", a.dialect, "Rules of the scene format: " + joined(dialect_names()))
+      ->capture_default_str();
+  command->add_option("--fresnel", a.fresnel, "Reflectance of Glass and Glazed: " + joined(fresnel_names()))
+      ->capture_default_str();
+  command->add_option("--max-depth", a.max_depth, "Longest chain of rays, in place of the scene's")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command
+      ->add_option("--min-contribution", a.min_contribution,
+                   "Rays that would count for less are dropped, in place of the scene's")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X");
   command->add_option("--accel", a.accel, "How hits are found: " + joined(accel_names()))->capture_default_str();
-  command->add_flag("--stats{-}", a.stats, "Print rays, node visits, primitive tests and seconds, or write them to FILE.json")->type_name("[=FILE.json]");
+  command
+      ->add_flag("--stats{-}", a.stats,
+                 "Print rays, node visits, primitive tests and seconds, or write them to FILE.json")
+      ->type_name("[=FILE.json]");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 

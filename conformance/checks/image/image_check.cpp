@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CheckResult result_of(Verdict verdict, const std::string& cause, const std::string& summary, const std::string& advice) {
+CheckResult result_of(Verdict verdict, const std::string& cause, const std::string& summary,
+                      const std::string& advice) {
   CheckResult result;
   result.verdict = verdict;
   result.cause = cause;
@@ -25,9 +26,12 @@ CheckResult result_of(Verdict verdict, const std::string& cause, const std::stri
 
 CheckResult no_picture(const ImageCheckInput& input) {
   std::string summary = fmt::format("there is no picture '{}'", input.output);
-  if (input.run.reason == StopReason::cannot_start) summary = input.run.start_error;
-  else if (input.run.exit_code != 0) summary += fmt::format("; the program ended with exit status {}", input.run.exit_code);
-  CheckResult result = result_of(Verdict::fail, "no_picture", summary, "read log.txt for what the program said, and check where it writes its picture");
+  if (input.run.reason == StopReason::cannot_start)
+    summary = input.run.start_error;
+  else if (input.run.exit_code != 0)
+    summary += fmt::format("; the program ended with exit status {}", input.run.exit_code);
+  CheckResult result = result_of(Verdict::fail, "no_picture", summary,
+                                 "read log.txt for what the program said, and check where it writes its picture");
   result.evidence = {{"exit_code", std::int64_t{input.run.exit_code}}};
   return result;
 }
@@ -35,13 +39,15 @@ CheckResult no_picture(const ImageCheckInput& input) {
 CheckResult unusable(const HarvestResult& harvested) {
   switch (harvested.status) {
     case HarvestStatus::link:
-      return result_of(Verdict::security, "link", harvested.sentence, "the picture must be an ordinary file, not a link");
+      return result_of(Verdict::security, "link", harvested.sentence,
+                       "the picture must be an ordinary file, not a link");
     case HarvestStatus::too_large:
       return result_of(Verdict::output_limit, "output_size", harvested.sentence, "write only the picture");
     case HarvestStatus::not_regular:
       return result_of(Verdict::fail, "bad_picture", harvested.sentence, "the picture must be an ordinary file");
     case HarvestStatus::missing:
-    case HarvestStatus::copied: break;
+    case HarvestStatus::copied:
+      break;
   }
   throw std::logic_error("this harvest is not unusable");
 }
@@ -50,7 +56,8 @@ CheckResult unusable(const HarvestResult& harvested) {
 
 ImageCheck check_image(const ImageCheckInput& input) {
   ImageCheck check;
-  const fs::path reference_copy = input.evidence_folder / ("reference" + input.suite_case.reference.extension().string());
+  const fs::path reference_copy =
+      input.evidence_folder / ("reference" + input.suite_case.reference.extension().string());
   fs::copy_file(input.suite_case.reference, reference_copy, fs::copy_options::overwrite_existing);
   check.hashes.emplace_back("reference", file_hash(reference_copy));
 
@@ -70,12 +77,14 @@ ImageCheck check_image(const ImageCheckInput& input) {
   const PictureJudgement judgement = judge_picture(picture, reference, input.suite_case.tolerance);
   check.result = judgement.result;
   if (judgement.difference && judgement.difference->max > 0) {
-    write_png(heat_map(reference, *judgement.picture), reference.width, reference.height, input.evidence_folder / "difference.png");
+    write_png(heat_map(reference, *judgement.picture), reference.width, reference.height,
+              input.evidence_folder / "difference.png");
   }
   if (is_right(check.result.verdict) && input.run.exit_code != 0) {
     check.result.verdict = Verdict::quality_warning;
     check.result.cause = "exit_status";
-    check.result.advice = fmt::format("the picture is right, but the program ended with exit status {}: end with 0", input.run.exit_code);
+    check.result.advice =
+        fmt::format("the picture is right, but the program ended with exit status {}: end with 0", input.run.exit_code);
   }
   return check;
 }

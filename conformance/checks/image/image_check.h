@@ -29,9 +29,9 @@ struct ImageCheck {
   std::vector<std::pair<std::string, std::string>> hashes;
 };
 
-/// Whether the program wrote the picture that the case asks for. The picture is taken out by descriptor, never through a link (`security`), and
-/// judged by judge_picture; none at all is `no_picture`. A right picture from a program with an exit status other than 0 is a
-/// quality_warning (`exit_status`).
+/// Whether the program wrote the picture that the case asks for. The picture is taken out by descriptor, never through
+/// a link (`security`), and judged by judge_picture; none at all is `no_picture`. A right picture from a program with
+/// an exit status other than 0 is a quality_warning (`exit_status`).
 ImageCheck check_image(const ImageCheckInput& input);
 
 }  // namespace plumb

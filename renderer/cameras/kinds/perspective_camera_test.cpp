@@ -17,11 +17,13 @@ constexpr double kRounding = 4e-15;
 void expect_along(const Vec3& direction, const Vec3& expected) {
   EXPECT_NEAR(length(direction), 1, kRounding);
   EXPECT_NEAR(length(direction - normalized(expected)), 0, kRounding)
-      << direction.x << " " << direction.y << " " << direction.z << " is not along " << expected.x << " " << expected.y << " " << expected.z;
+      << direction.x << " " << direction.y << " " << direction.z << " is not along " << expected.x << " " << expected.y
+      << " " << expected.z;
 }
 
 TEST(PerspectiveCamera, DefaultLooksAlongMinusZThroughAUnitWindow) {
-  for (const std::string& elements : {std::string(), std::string("<camera/>"), std::string("<camera type='Camera'/>")}) {
+  for (const std::string& elements :
+       {std::string(), std::string("<camera/>"), std::string("<camera type='Camera'/>")}) {
     const ReadScene read = scene_of(elements);
     const Camera& camera = read.scene.camera();
     EXPECT_EQ(camera.ray(0.5, 0.5).origin, (Point3{0, 0, 0}));
@@ -36,7 +38,8 @@ TEST(PerspectiveCamera, DefaultLooksAlongMinusZThroughAUnitWindow) {
 }
 
 TEST(PerspectiveCamera, WindowHasItsOwnSizeAndDistance) {
-  const std::string parameters = "<viewPoint>1 2 3</viewPoint><projDistance>4</projDistance><viewWidth>6</viewWidth><viewHeight>2</viewHeight>";
+  const std::string parameters =
+      "<viewPoint>1 2 3</viewPoint><projDistance>4</projDistance><viewWidth>6</viewWidth><viewHeight>2</viewHeight>";
   EXPECT_EQ(camera_ray(parameters, 0, 0).origin, (Point3{1, 2, 3}));
   expect_along(camera_ray(parameters, 1, 1).direction, {3, 1, -4});
   expect_along(camera_ray(parameters, 0, 0.5).direction, {-3, 0, -4});

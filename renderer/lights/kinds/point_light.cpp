@@ -17,9 +17,21 @@ class PointLight : public Light {
 };
 
 constexpr std::array kParameters{
-    Parameter{.name = "position", .type = ValueType::point, .meaning = "where it is", .presence = Presence::defaulted, .default_text = "0 0 0"},
-    Parameter{.name = "intensity", .type = ValueType::color, .meaning = "its strength, the same at any distance", .presence = Presence::defaulted, .default_text = "1 1 1"},
-    Parameter{.name = "color", .type = ValueType::color, .meaning = "another name of intensity", .presence = Presence::optional, .alias_of = "intensity"},
+    Parameter{.name = "position",
+              .type = ValueType::point,
+              .meaning = "where it is",
+              .presence = Presence::defaulted,
+              .default_text = "0 0 0"},
+    Parameter{.name = "intensity",
+              .type = ValueType::color,
+              .meaning = "its strength, the same at any distance",
+              .presence = Presence::defaulted,
+              .default_text = "1 1 1"},
+    Parameter{.name = "color",
+              .type = ValueType::color,
+              .meaning = "another name of intensity",
+              .presence = Presence::optional,
+              .alias_of = "intensity"},
 };
 
 std::unique_ptr<Light> make(const ObjectDescription& object) {
@@ -28,6 +40,7 @@ std::unique_ptr<Light> make(const ObjectDescription& object) {
 
 }  // namespace
 
-extern const LightKind point_light_kind{{Role::light, "Light", "A light at a point, without falloff. Its type need not be written.", kParameters}, make};
+extern const LightKind point_light_kind{
+    {Role::light, "Light", "A light at a point, without falloff. Its type need not be written.", kParameters}, make};
 
 }  // namespace plumb

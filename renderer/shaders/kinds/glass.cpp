@@ -29,7 +29,10 @@ class Glass : public Shader {
 };
 
 constexpr std::array kParameters{
-    Parameter{.name = "refractiveIndex", .type = ValueType::number, .meaning = "of the inside, the side away from the normal; outside it is 1", .range = Range::positive},
+    Parameter{.name = "refractiveIndex",
+              .type = ValueType::number,
+              .meaning = "of the inside, the side away from the normal; outside it is 1",
+              .range = Range::positive},
 };
 
 std::unique_ptr<Shader> make(const ObjectDescription& object, const ShaderOf&) {
@@ -38,6 +41,9 @@ std::unique_ptr<Shader> make(const ObjectDescription& object, const ShaderOf&) {
 
 }  // namespace
 
-extern const ShaderKind glass_kind{{Role::shader, "Glass", "The surface of a clear dielectric: R mirror image + (1 - R) refracted image, from both sides.", kParameters}, make};
+extern const ShaderKind glass_kind{
+    {Role::shader, "Glass",
+     "The surface of a clear dielectric: R mirror image + (1 - R) refracted image, from both sides.", kParameters},
+    make};
 
 }  // namespace plumb

@@ -16,7 +16,8 @@ class Glazed : public Shader {
     const double r = reflectance({cosine, 1, index_}, tracer.scene().fresnel());
     const Path below{path.depth, path.contribution * (1 - r)};
     const Color substrate = substrate_.shade(point, below, tracer);
-    const Color mirrored = tracer.follow({point.position, reflected(point.to_viewer, point.normal)}, RayKind::reflection, path, r);
+    const Color mirrored =
+        tracer.follow({point.position, reflected(point.to_viewer, point.normal)}, RayKind::reflection, path, r);
     return (1 - r) * substrate + r * mirrored;
   }
 
@@ -26,8 +27,12 @@ class Glazed : public Shader {
 };
 
 constexpr std::array kParameters{
-    Parameter{.name = "refractiveIndex", .type = ValueType::number, .meaning = "of the glaze; outside of it the index is 1", .range = Range::positive},
-    Parameter{.name = "substrate", .type = ValueType::object, .meaning = "the shader below the glaze", .role = Role::shader},
+    Parameter{.name = "refractiveIndex",
+              .type = ValueType::number,
+              .meaning = "of the glaze; outside of it the index is 1",
+              .range = Range::positive},
+    Parameter{
+        .name = "substrate", .type = ValueType::object, .meaning = "the shader below the glaze", .role = Role::shader},
 };
 
 std::unique_ptr<Shader> make(const ObjectDescription& object, const ShaderOf& shader_of) {
@@ -36,6 +41,9 @@ std::unique_ptr<Shader> make(const ObjectDescription& object, const ShaderOf& sh
 
 }  // namespace
 
-extern const ShaderKind glazed_kind{{Role::shader, "Glazed", "A thin dielectric layer over another shader: (1 - R) substrate + R mirror image, R by Fresnel.", kParameters}, make};
+extern const ShaderKind glazed_kind{
+    {Role::shader, "Glazed",
+     "A thin dielectric layer over another shader: (1 - R) substrate + R mirror image, R by Fresnel.", kParameters},
+    make};
 
 }  // namespace plumb

@@ -25,7 +25,11 @@ class Lambertian : public Shader {
 };
 
 constexpr std::array kParameters{
-    Parameter{.name = "diffuseColor", .type = ValueType::color, .meaning = "kd: the share of light it scatters evenly", .presence = Presence::defaulted, .default_text = "1 1 1"},
+    Parameter{.name = "diffuseColor",
+              .type = ValueType::color,
+              .meaning = "kd: the share of light it scatters evenly",
+              .presence = Presence::defaulted,
+              .default_text = "1 1 1"},
 };
 
 std::unique_ptr<Shader> make(const ObjectDescription& object, const ShaderOf&) {
@@ -34,6 +38,8 @@ std::unique_ptr<Shader> make(const ObjectDescription& object, const ShaderOf&) {
 
 }  // namespace
 
-extern const ShaderKind lambertian_kind{{Role::shader, "Lambertian", "A matt surface: the sum over the visible lights of kd I max(0, n.l).", kParameters}, make};
+extern const ShaderKind lambertian_kind{
+    {Role::shader, "Lambertian", "A matt surface: the sum over the visible lights of kd I max(0, n.l).", kParameters},
+    make};
 
 }  // namespace plumb

@@ -10,7 +10,8 @@ namespace {
 
 class Phong : public Shader {
  public:
-  Phong(const Color& diffuse, const Color& specular, double exponent) : diffuse_(diffuse), specular_(specular), exponent_(exponent) {}
+  Phong(const Color& diffuse, const Color& specular, double exponent)
+      : diffuse_(diffuse), specular_(specular), exponent_(exponent) {}
 
   Color shade(const ShadingPoint& point, const Path&, Tracer& tracer) const override {
     Color sum;
@@ -33,17 +34,34 @@ class Phong : public Shader {
 };
 
 constexpr std::array kParameters{
-    Parameter{.name = "diffuseColor", .type = ValueType::color, .meaning = "kd: the share of light it scatters evenly", .presence = Presence::defaulted, .default_text = "1 1 1"},
-    Parameter{.name = "specularColor", .type = ValueType::color, .meaning = "ks: the strength of the highlight", .presence = Presence::defaulted, .default_text = "1 1 1"},
-    Parameter{.name = "exponent", .type = ValueType::number, .meaning = "how sharp the highlight is", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
+    Parameter{.name = "diffuseColor",
+              .type = ValueType::color,
+              .meaning = "kd: the share of light it scatters evenly",
+              .presence = Presence::defaulted,
+              .default_text = "1 1 1"},
+    Parameter{.name = "specularColor",
+              .type = ValueType::color,
+              .meaning = "ks: the strength of the highlight",
+              .presence = Presence::defaulted,
+              .default_text = "1 1 1"},
+    Parameter{.name = "exponent",
+              .type = ValueType::number,
+              .meaning = "how sharp the highlight is",
+              .presence = Presence::defaulted,
+              .default_text = "1",
+              .range = Range::not_negative},
 };
 
 std::unique_ptr<Shader> make(const ObjectDescription& object, const ShaderOf&) {
-  return std::make_unique<Phong>(object.color("diffuseColor"), object.color("specularColor"), object.number("exponent"));
+  return std::make_unique<Phong>(object.color("diffuseColor"), object.color("specularColor"),
+                                 object.number("exponent"));
 }
 
 }  // namespace
 
-extern const ShaderKind phong_kind{{Role::shader, "Phong", "Lambertian plus a highlight ks I max(0, n.h)^exponent, h the unit half vector of light and viewer.", kParameters}, make};
+extern const ShaderKind phong_kind{
+    {Role::shader, "Phong",
+     "Lambertian plus a highlight ks I max(0, n.h)^exponent, h the unit half vector of light and viewer.", kParameters},
+    make};
 
 }  // namespace plumb

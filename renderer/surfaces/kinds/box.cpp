@@ -98,8 +98,16 @@ class InvertedBox : public Surface {
 
 constexpr std::array kParameters{
     surface_shader_parameter,
-    Parameter{.name = "minPt", .type = ValueType::point, .meaning = "the corner with the smallest coordinates", .presence = Presence::defaulted, .default_text = "0 0 0"},
-    Parameter{.name = "maxPt", .type = ValueType::point, .meaning = "the corner with the largest coordinates", .presence = Presence::defaulted, .default_text = "0 0 0"},
+    Parameter{.name = "minPt",
+              .type = ValueType::point,
+              .meaning = "the corner with the smallest coordinates",
+              .presence = Presence::defaulted,
+              .default_text = "0 0 0"},
+    Parameter{.name = "maxPt",
+              .type = ValueType::point,
+              .meaning = "the corner with the largest coordinates",
+              .presence = Presence::defaulted,
+              .default_text = "0 0 0"},
 };
 
 std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext& context) {
@@ -107,7 +115,8 @@ std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext& c
   const Point3 max = object.point("maxPt");
   for (int axis = 0; axis < 3; ++axis) {
     if (min[axis] <= max[axis]) continue;
-    context.warnings.push_back(to_string(object.where("minPt")) + ": warning: minPt lies beyond maxPt in " + "xyz"[axis] +
+    context.warnings.push_back(to_string(object.where("minPt")) + ": warning: minPt lies beyond maxPt in " +
+                               "xyz"[axis] +
                                "; this inverted box is drawn as the course's renderer draws it, and no check uses it");
     return std::make_unique<InvertedBox>(min, max);
   }

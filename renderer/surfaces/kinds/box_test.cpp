@@ -11,7 +11,9 @@ namespace {
 OneSurface brick() { return OneSurface("<surface type='Box'><minPt>-1 -2 -3</minPt><maxPt>1 2 3</maxPt></surface>"); }
 
 /// As solids.xml has one: z from 3.1 to 3.
-OneSurface inverted() { return OneSurface("<surface type='Box'><minPt>-5 -6 3.1</minPt><maxPt>5 6 3</maxPt></surface>"); }
+OneSurface inverted() {
+  return OneSurface("<surface type='Box'><minPt>-5 -6 3.1</minPt><maxPt>5 6 3</maxPt></surface>");
+}
 
 TEST(Box, IsEnteredAndLeftThroughEachFaceWithItsOutwardNormal) {
   const OneSurface box = brick();
@@ -123,7 +125,9 @@ TEST(InvertedBox, HasTheBoundsOfItsSortedCornersAndAWarning) {
 }
 
 TEST(InvertedBox, IsFoundByTheHierarchyAsByLinearSearch) {
-  const std::string elements = "<surface type='Sphere'><center>0 0 -4</center></surface><surface type='Box'><minPt>-5 -6 3.1</minPt><maxPt>5 6 3</maxPt></surface>";
+  const std::string elements =
+      "<surface type='Sphere'><center>0 0 -4</center></surface><surface type='Box'><minPt>-5 -6 3.1</minPt><maxPt>5 6 "
+      "3</maxPt></surface>";
   for (const Accel accel : {Accel::linear, Accel::bvh2}) {
     const ReadScene read = scene_of(elements, {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
     TraceCounters counters;

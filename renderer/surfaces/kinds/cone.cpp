@@ -50,7 +50,8 @@ class Cone : public Surface {
     for (const double z : {center_.z - half_, center_.z + half_}) {
       const double radius = slope_ * std::fabs(z - tip_z_);
       const Point3 end{center_.x, center_.y, z};
-      box.extend(bounds_around(world_from_object(end), disc_extent(world_from_object.matrix(), radius), world_from_object.rounding_bound(end)));
+      box.extend(bounds_around(world_from_object(end), disc_extent(world_from_object.matrix(), radius),
+                               world_from_object.rounding_bound(end)));
     }
     return box;
   }
@@ -76,7 +77,8 @@ class Cone : public Surface {
     }
     // A line steeper than the side always meets it; a negative discriminant is rounding at the tip.
     const Roots roots = quadratic_roots(a, -b, c, std::max(discriminant, 0.0));
-    return {{Interval{{-kInfinity, kSide}, {roots.first, kSide}}, Interval{{roots.second, kSide}, {kInfinity, kSide}}}, 2};
+    return {{Interval{{-kInfinity, kSide}, {roots.first, kSide}}, Interval{{roots.second, kSide}, {kInfinity, kSide}}},
+            2};
   }
 
   /// 2 b t + c <= 0, for a line parallel to the side.
@@ -97,23 +99,44 @@ class Cone : public Surface {
 
 constexpr std::array kParameters{
     surface_shader_parameter,
-    Parameter{.name = "center", .type = ValueType::point, .meaning = "the middle of the part that is kept", .presence = Presence::defaulted, .default_text = "0 0 0"},
-    Parameter{.name = "tipz", .type = ValueType::number, .meaning = "z of the tip; within the kept part it makes a double cone", .presence = Presence::defaulted, .default_text = "0"},
-    Parameter{.name = "radius", .type = ValueType::number, .meaning = "radius at the height of the centre", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
-    Parameter{.name = "height", .type = ValueType::number, .meaning = "height of the kept part along z", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
+    Parameter{.name = "center",
+              .type = ValueType::point,
+              .meaning = "the middle of the part that is kept",
+              .presence = Presence::defaulted,
+              .default_text = "0 0 0"},
+    Parameter{.name = "tipz",
+              .type = ValueType::number,
+              .meaning = "z of the tip; within the kept part it makes a double cone",
+              .presence = Presence::defaulted,
+              .default_text = "0"},
+    Parameter{.name = "radius",
+              .type = ValueType::number,
+              .meaning = "radius at the height of the centre",
+              .presence = Presence::defaulted,
+              .default_text = "1",
+              .range = Range::not_negative},
+    Parameter{.name = "height",
+              .type = ValueType::number,
+              .meaning = "height of the kept part along z",
+              .presence = Presence::defaulted,
+              .default_text = "1",
+              .range = Range::not_negative},
 };
 
 std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext&) {
   const Point3 center = object.point("center");
   const double tip_z = object.number("tipz");
   if (center.z == tip_z) {
-    throw InputError(object.where("tipz"), "the cone's tip lies at the height of its centre, where its radius is measured; expected another tipz");
+    throw InputError(
+        object.where("tipz"),
+        "the cone's tip lies at the height of its centre, where its radius is measured; expected another tipz");
   }
   return std::make_unique<Cone>(center, tip_z, object.number("radius"), object.number("height"));
 }
 
 }  // namespace
 
-extern const SurfaceKind cone_kind{{Role::surface, "Cone", "A truncated cone around an axis along z, closed at both ends.", kParameters}, make};
+extern const SurfaceKind cone_kind{
+    {Role::surface, "Cone", "A truncated cone around an axis along z, closed at both ends.", kParameters}, make};
 
 }  // namespace plumb

@@ -11,12 +11,14 @@ namespace {
 
 /// Tip at z = 3, radius 1 at z = 1, so radius (3 - z) / 2; from z = 0 (radius 1.5) to z = 2 (radius 0.5).
 OneSurface single_cone() {
-  return OneSurface("<surface type='Cone'><center>0 0 1</center><tipz>3</tipz><radius>1</radius><height>2</height></surface>");
+  return OneSurface(
+      "<surface type='Cone'><center>0 0 1</center><tipz>3</tipz><radius>1</radius><height>2</height></surface>");
 }
 
 /// Tip at z = 0, radius |z|; from z = -3 to z = 1: both nappes.
 OneSurface double_cone() {
-  return OneSurface("<surface type='Cone'><center>0 0 -1</center><tipz>0</tipz><radius>1</radius><height>4</height></surface>");
+  return OneSurface(
+      "<surface type='Cone'><center>0 0 -1</center><tipz>0</tipz><radius>1</radius><height>4</height></surface>");
 }
 
 /// The crossings along a ray, each searched from just behind the one before.
@@ -104,9 +106,7 @@ TEST(Cone, RangeIsClosedAtBothEnds) {
   EXPECT_EQ(t(10.6, 12.9), -1);
 }
 
-TEST(Cone, DirectionOfAnyLengthScalesT) {
-  EXPECT_EQ(double_cone().hit({{0.5, 0, 10}, {0, 0, -4}})->t, 2.25);
-}
+TEST(Cone, DirectionOfAnyLengthScalesT) { EXPECT_EQ(double_cone().hit({{0.5, 0, 10}, {0, 0, -4}})->t, 2.25); }
 
 TEST(Cone, RayWithNanHitsNothing) {
   EXPECT_TRUE(double_cone().hit({{0.1, 0.2, 5}, {0, 0, -1}}));
@@ -122,7 +122,9 @@ TEST(Cone, RayWithNanHitsNothing) {
 TEST(Cone, RandomRaysAgreeWithTheDefinition) {
   const OneSurface cone = double_cone();
   // Signed: negative inside. The same inequality as the solid's definition, x^2 + y^2 <= z^2 and -3 <= z <= 1.
-  const auto outside = [](const Point3& p) { return std::max(std::hypot(p.x, p.y) - std::fabs(p.z), std::max(p.z - 1, -3 - p.z)); };
+  const auto outside = [](const Point3& p) {
+    return std::max(std::hypot(p.x, p.y) - std::fabs(p.z), std::max(p.z - 1, -3 - p.z));
+  };
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> u(-1, 1);
   int two = 0, four = 0, none = 0, tested = 0;

@@ -35,7 +35,8 @@ class Cylinder : public Surface {
   Bounds3 world_bounds(const Transform& world_from_object) const override {
     const AffineMatrix& m = world_from_object.matrix();
     const Vec3 axis{half_ * std::fabs(m[0][2]), half_ * std::fabs(m[1][2]), half_ * std::fabs(m[2][2])};
-    return bounds_around(world_from_object(center_), axis + disc_extent(m, radius_), world_from_object.rounding_bound(center_));
+    return bounds_around(world_from_object(center_), axis + disc_extent(m, radius_),
+                         world_from_object.rounding_bound(center_));
   }
 
  private:
@@ -46,9 +47,23 @@ class Cylinder : public Surface {
 
 constexpr std::array kParameters{
     surface_shader_parameter,
-    Parameter{.name = "center", .type = ValueType::point, .meaning = "the middle of its axis, at half its height", .presence = Presence::defaulted, .default_text = "0 0 0"},
-    Parameter{.name = "radius", .type = ValueType::number, .meaning = "its radius", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
-    Parameter{.name = "height", .type = ValueType::number, .meaning = "its height along z", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
+    Parameter{.name = "center",
+              .type = ValueType::point,
+              .meaning = "the middle of its axis, at half its height",
+              .presence = Presence::defaulted,
+              .default_text = "0 0 0"},
+    Parameter{.name = "radius",
+              .type = ValueType::number,
+              .meaning = "its radius",
+              .presence = Presence::defaulted,
+              .default_text = "1",
+              .range = Range::not_negative},
+    Parameter{.name = "height",
+              .type = ValueType::number,
+              .meaning = "its height along z",
+              .presence = Presence::defaulted,
+              .default_text = "1",
+              .range = Range::not_negative},
 };
 
 std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext&) {
@@ -57,6 +72,7 @@ std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext&) 
 
 }  // namespace
 
-extern const SurfaceKind cylinder_kind{{Role::surface, "Cylinder", "A cylinder around an axis along z, closed at both ends.", kParameters}, make};
+extern const SurfaceKind cylinder_kind{
+    {Role::surface, "Cylinder", "A cylinder around an axis along z, closed at both ends.", kParameters}, make};
 
 }  // namespace plumb

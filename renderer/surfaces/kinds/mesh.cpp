@@ -16,7 +16,8 @@ std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {
 
 class Mesh : public Surface {
  public:
-  Mesh(std::shared_ptr<const TriangleMesh> mesh, Accel accel) : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)) {}
+  Mesh(std::shared_ptr<const TriangleMesh> mesh, Accel accel)
+      : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)) {}
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters& counters) const override {
     std::optional<SurfaceHit> closest;
@@ -35,7 +36,8 @@ class Mesh : public Surface {
 
   bool blocks(const Ray& ray, TraceCounters& counters) const override {
     const ShearedRay sheared(ray);
-    return accelerator_.walk(ray, counters, [&](std::uint32_t triangle) { return test(sheared, triangle, counters).has_value(); });
+    return accelerator_.walk(ray, counters,
+                             [&](std::uint32_t triangle) { return test(sheared, triangle, counters).has_value(); });
   }
 
   /// Interpolated where the file gives normals, else the triangle's own.
@@ -69,7 +71,9 @@ class Mesh : public Surface {
 
 constexpr std::array kParameters{
     surface_shader_parameter,
-    Parameter{.name = "data", .type = ValueType::file, .meaning = "a mesh file: .msh, .obj, .ply, .off or .stl, relative to the scene's folder"},
+    Parameter{.name = "data",
+              .type = ValueType::file,
+              .meaning = "a mesh file: .msh, .obj, .ply, .off or .stl, relative to the scene's folder"},
 };
 
 std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext& context) {
@@ -78,6 +82,9 @@ std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext& c
 
 }  // namespace
 
-extern const SurfaceKind mesh_kind{{Role::surface, "Mesh", "A triangle mesh from a file of its own, shaded with its normals if it has them.", kParameters}, make};
+extern const SurfaceKind mesh_kind{
+    {Role::surface, "Mesh", "A triangle mesh from a file of its own, shaded with its normals if it has them.",
+     kParameters},
+    make};
 
 }  // namespace plumb

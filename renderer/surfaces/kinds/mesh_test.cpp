@@ -13,7 +13,8 @@ namespace {
 /// A mesh whose numbers are all floats, so that reading it changes none.
 OneSurface surface_of(const TriangleMesh& mesh, Accel accel = Accel::bvh2) {
   write_msh(mesh, scene_test_file("mesh.msh"));
-  return OneSurface("<surface type='Mesh'><data>mesh.msh</data></surface>", {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
+  return OneSurface("<surface type='Mesh'><data>mesh.msh</data></surface>",
+                    {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
 }
 
 TriangleMesh quad() {

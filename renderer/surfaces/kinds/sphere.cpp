@@ -29,7 +29,8 @@ class Sphere : public Surface {
     const auto extent = [&](std::size_t i) {
       return radius_ * std::sqrt(m[i][0] * m[i][0] + m[i][1] * m[i][1] + m[i][2] * m[i][2]);
     };
-    return bounds_around(world_from_object(center_), {extent(0), extent(1), extent(2)}, world_from_object.rounding_bound(center_));
+    return bounds_around(world_from_object(center_), {extent(0), extent(1), extent(2)},
+                         world_from_object.rounding_bound(center_));
   }
 
  private:
@@ -39,8 +40,17 @@ class Sphere : public Surface {
 
 constexpr std::array kParameters{
     surface_shader_parameter,
-    Parameter{.name = "center", .type = ValueType::point, .meaning = "its centre", .presence = Presence::defaulted, .default_text = "0 0 0"},
-    Parameter{.name = "radius", .type = ValueType::number, .meaning = "its radius", .presence = Presence::defaulted, .default_text = "1", .range = Range::not_negative},
+    Parameter{.name = "center",
+              .type = ValueType::point,
+              .meaning = "its centre",
+              .presence = Presence::defaulted,
+              .default_text = "0 0 0"},
+    Parameter{.name = "radius",
+              .type = ValueType::number,
+              .meaning = "its radius",
+              .presence = Presence::defaulted,
+              .default_text = "1",
+              .range = Range::not_negative},
 };
 
 std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext&) {

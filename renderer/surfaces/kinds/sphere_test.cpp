@@ -24,7 +24,7 @@ TEST(Sphere, IsEnteredFromOutsideAndLeftFromInside) {
 }
 
 TEST(Sphere, DirectionOfAnyLengthScalesT) {
-  EXPECT_EQ(ball().hit({{1, 2, 10}, {0, 0, -4}})->t, 1.25);     // 5 / 4
+  EXPECT_EQ(ball().hit({{1, 2, 10}, {0, 0, -4}})->t, 1.25);  // 5 / 4
   EXPECT_EQ(ball().hit({{1, 2, 10}, {0, 0, -0x1p-20}})->t, 5 * 0x1p20);
 }
 
@@ -110,7 +110,8 @@ TEST(Sphere, RandomRaysAgreeWithTheDistanceOfTheCenter) {
   std::uniform_real_distribution<double> u(-1, 1);
   int hits = 0, misses = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Ray ray{{3 * u(random), 3 * u(random), 3 * u(random)}, {u(random), u(random), u(random)}, -kInfinity, kInfinity};
+    const Ray ray{
+        {3 * u(random), 3 * u(random), 3 * u(random)}, {u(random), u(random), u(random)}, -kInfinity, kInfinity};
     const Vec3 to_center = center - ray.origin;
     const double distance = length(cross(to_center, ray.direction)) / length(ray.direction);
     if (std::fabs(distance - 0.75) < 1e-9) continue;  // the class is free on the rim, as far as this formula rounds

@@ -15,13 +15,6 @@
 namespace plumb {
 namespace {
 
-std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {
-  std::vector<Bounds3> bounds(mesh.triangles.size());
-  for (std::size_t i = 0; i < bounds.size(); ++i)
-    for (const std::uint32_t vertex : mesh.triangles[i]) bounds[i].extend(mesh.positions[vertex]);
-  return bounds;
-}
-
 /// Rays from outside at a 64 x 64 grid over the sphere's square, in a fixed order.
 Ray grid_ray(std::size_t i) {
   const double x = (static_cast<double>(i % 64) + 0.5) / 32 - 1;

@@ -55,4 +55,11 @@ std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const P
   return TriangleHit{t, weight_b / sum, weight_c / sum};
 }
 
+std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {
+  std::vector<Bounds3> bounds(mesh.triangles.size());
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    for (const std::uint32_t vertex : mesh.triangles[i]) bounds[i].extend(mesh.positions[vertex]);
+  return bounds;
+}
+
 }  // namespace plumb

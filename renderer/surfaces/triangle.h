@@ -1,7 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "meshes/triangle_mesh.h"
+#include "renderer/math/bounds3.h"
 #include "renderer/math/ray.h"
 
 namespace plumb {
@@ -31,5 +34,8 @@ struct TriangleHit {
 /// which is more accurate than the same products.
 std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                               const Point3& c);
+
+/// The box of each triangle of a mesh, in its order.
+std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh);
 
 }  // namespace plumb

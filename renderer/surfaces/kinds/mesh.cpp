@@ -7,13 +7,6 @@
 namespace plumb {
 namespace {
 
-std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {
-  std::vector<Bounds3> bounds(mesh.triangles.size());
-  for (std::size_t i = 0; i < bounds.size(); ++i)
-    for (const std::uint32_t vertex : mesh.triangles[i]) bounds[i].extend(mesh.positions[vertex]);
-  return bounds;
-}
-
 class Mesh : public Surface {
  public:
   Mesh(std::shared_ptr<const TriangleMesh> mesh, Accel accel)

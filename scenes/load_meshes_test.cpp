@@ -25,7 +25,13 @@ constexpr std::string_view kTriangle =
     "texcoords\n.1\n0\n1\n0\n0\n1\n";
 
 std::filesystem::path write_file(const std::string& name, std::string_view text) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("plumb-load-meshes-" + std::to_string(getpid()));
+  struct Folder {
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::filesystem::path path =
+        std::filesystem::path(::testing::TempDir()) / ("plumb-load-meshes-" + std::to_string(getpid()));
+  };
+  static const Folder of_this_process;
+  const std::filesystem::path& folder = of_this_process.path;
   std::filesystem::create_directories(folder / "below");
   std::ofstream(folder / name, std::ios::binary) << text;
   return folder / name;

@@ -58,7 +58,13 @@ const KindTable& small_table() {
 }
 
 SceneDescription read_text(const std::string& text) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("plumb-scenes-" + std::to_string(getpid()));
+  struct Folder {
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::filesystem::path path =
+        std::filesystem::path(::testing::TempDir()) / ("plumb-scenes-" + std::to_string(getpid()));
+  };
+  static const Folder of_this_process;
+  const std::filesystem::path& folder = of_this_process.path;
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "s.xml", std::ios::binary) << text;
   return read_scene(folder / "s.xml", small_table());

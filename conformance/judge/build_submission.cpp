@@ -129,8 +129,10 @@ void require_programs(const Suite& suite) {
   commands.push_back(suite.runner.render);
   for (const std::vector<std::string>& command : commands) {
     if (command.front().find('/') != std::string::npos || is_installed(command.front(), suite.runner)) continue;
-    throw InputError({suite.file.string()},
-                     "'" + command.front() + "', which [runner] needs, is not installed; nothing was graded");
+    throw InputError({suite.file.string()}, "'" + command.front() +
+                                                "', which [runner] needs, is not installed; nothing was graded (a "
+                                                "program of the submission is named by its path, './" +
+                                                command.front() + "')");
   }
 }
 

@@ -47,7 +47,12 @@ bool parts_match(const std::vector<fs::path>& glob, const std::vector<fs::path>&
 
 std::vector<std::string> matching_files(const std::string& glob, const fs::path& folder) {
   std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+  for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
+    const fs::directory_entry& entry = *it;
+    if (is_hidden(entry.path())) {
+      if (entry.is_directory()) it.disable_recursion_pending();
+      continue;
+    }
     const fs::path relative = entry.path().lexically_relative(folder);
     if (!entry.is_regular_file() || !glob_matches(glob, relative)) continue;
     const std::string name = relative.generic_string();
@@ -59,6 +64,8 @@ std::vector<std::string> matching_files(const std::string& glob, const fs::path&
 }
 
 }  // namespace
+
+bool is_hidden(const fs::path& file) { return file.filename().string().starts_with('.'); }
 
 CasePaths case_paths(const Runner& runner, const SuiteCase& suite_case) {
   CasePaths paths;

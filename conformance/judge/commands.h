@@ -23,8 +23,12 @@ std::vector<std::string> render_command(const Runner& runner, const CasePaths& p
 
 /// A build command with each {sources:GLOB} replaced by the files below `folder` that match, sorted by name. In a GLOB,
 /// `*` and `?` match within a name and `**` any number of folders. A name that begins with '-' or '@', which compilers
-/// take for options and lists of files, gets "./" before it. Throws InputError if nothing matches.
+/// take for options and lists of files, gets "./" before it. Hidden files and
+/// what lies in hidden folders (`.svn`, `._x.java`) never match. Throws InputError if nothing matches.
 std::vector<std::string> build_command(const std::vector<std::string>& command, const std::filesystem::path& folder);
+
+/// Whether the name begins with a dot.
+bool is_hidden(const std::filesystem::path& file);
 
 /// Whether a relative path matches a GLOB as above.
 bool glob_matches(const std::filesystem::path& glob, const std::filesystem::path& path);

@@ -164,5 +164,12 @@ TEST_F(BuildCommandTest, ANameThatLooksLikeAnArgumentFileIsNone) {
   EXPECT_THAT(build_command({"{sources:*.java}"}, folder_), ElementsAre("./@x.java"));
 }
 
+TEST_F(BuildCommandTest, HiddenFilesNeverMatch) {
+  make("x.java");
+  make("._x.java");
+  make(".svn/text-base/x.java");
+  EXPECT_THAT(build_command({"{sources:**/*.java}"}, folder_), ElementsAre("x.java"));
+}
+
 }  // namespace
 }  // namespace plumb

@@ -130,10 +130,15 @@ class Grader {
   }
 
   void note_left_out() {
+    const std::vector<std::string>& roots = workspace_.roots();
+    if (!roots.empty() && roots.front() != ".")
+      set_.notes.push_back("the submission's root is its folder " + roots.front());
+    for (std::size_t i = 1; i < roots.size(); ++i)
+      set_.notes.push_back("not looked at, though it could be the root too: " + roots[i]);
     const LeftOut& left_out = workspace_.left_out();
     if (left_out.pictures > 0)
-      set_.notes.push_back(
-          fmt::format("{} picture{} of the submission left out", left_out.pictures, left_out.pictures == 1 ? "" : "s"));
+      set_.notes.push_back(fmt::format("{} picture{} of the submission left out: pictures are never copied",
+                                       left_out.pictures, left_out.pictures == 1 ? "" : "s"));
     for (const std::string& name : left_out.not_ordinary)
       set_.notes.push_back("left out, as it is no ordinary file: " + name);
   }

@@ -103,5 +103,24 @@ TEST_F(GradeFaultsTest, RepeatCommandsQuoteStrangeNames) {
   EXPECT_EQ(grade(r).cases.at(0).repeat, "plumb grade 'a b'\\''s' --suite suite.toml --filter a");
 }
 
+TEST_F(GradeFaultsTest, APictureOfAnotherNameIsPointedAt) {
+  write("sub/render.sh", "cp answer wrong.PNG\n");
+  EXPECT_EQ(first_summary(grade_by(suite() + a_case("a"))),
+            "there is no picture 'a.txt.png', but there is 'wrong.PNG'");
+}
+
+TEST_F(GradeFaultsTest, ABlackExrIsWrongByTheDefaultTolerance) {
+  Image image(2, 1);
+  write_image(image, folder_ / "black.exr");
+  fs::rename(folder_ / "black.exr", folder_ / "sub/answer");
+  image.at(0, 0) = {0.5, 0.5, 0.5};
+  write_image(image, folder_ / "ref.exr");
+  std::string text =
+      suite("", "render = [\"/bin/sh\", \"render.sh\", \"{scene}\", \"{output}\"]\noutput = \"{scene}.exr\"") +
+      a_case("a");
+  text.replace(text.find("ref.png"), 7, "ref.exr");
+  EXPECT_THAT(outcomes(grade_by(text)), ElementsAre("a: fail (different)"));
+}
+
 }  // namespace
 }  // namespace plumb

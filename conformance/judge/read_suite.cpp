@@ -158,7 +158,9 @@ class SuiteReader {
     c.reference = existing_file(fields, "reference", fields.text("reference"));
     c.requirement = fields.text("requirement", "");
     c.points = fields.number("points", c.points, 0);
-    c.tolerance = fields.number("tolerance", c.tolerance, 0);
+    // One 8-bit level, which is 1/255 of the linear range of an EXR.
+    const bool linear = equal_ignoring_case(c.reference.extension().string(), ".exr");
+    c.tolerance = fields.number("tolerance", linear ? 1.0 / 255 : 1, 0);
     c.cpu_seconds = fields.number("cpu_seconds", c.cpu_seconds, 0.01);
     c.wall_seconds = fields.number("wall_seconds", 3 * c.cpu_seconds, 0.01);
     c.memory_mb = fields.integer("memory_mb", c.memory_mb, 1, kMostMegabytes);

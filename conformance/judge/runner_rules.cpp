@@ -55,7 +55,7 @@ Runner read_runner_fields(TomlFields& fields) {
   for (const auto& command : runner.build) check_build(fields, command);
   runner.render = fields.texts("render");
   if (runner.render.empty() || runner.render.front().empty())
-    fields.fail("render", "is missing or empty, expected [\"program\", \"{scene}\"]");
+    fields.fail("render", "is missing or empty, expected [\"program\", \"{scene}\"]" + fields.near_key("render"));
   for (const std::string& argument : runner.render) check_placeholders(fields, "render", argument, kRenderNames);
   runner.env = fields.text_table("env");
   runner.output = fields.text("output", runner.output);

@@ -39,7 +39,7 @@ struct SuiteCase {
   double points = 1;
   /// Places in Suite::cases.
   std::vector<std::size_t> prerequisites;
-  /// The largest channel difference that is right: levels, or linear for EXR.
+  /// The largest channel difference that is right: levels, or linear for EXR (where the default is 1/255).
   double tolerance = 1;
   double cpu_seconds = 30;
   double wall_seconds = 90;

@@ -57,7 +57,7 @@ void TomlFields::fail(std::string_view key, const std::string& what) const {
 }
 
 std::string TomlFields::text(std::string_view key) {
-  if (!find(key)) fail(key, "is missing, expected a text");
+  if (!find(key)) fail(key, "is missing, expected a text" + near_key(key));
   return text(key, "");
 }
 
@@ -66,6 +66,14 @@ std::string TomlFields::text(std::string_view key, std::string_view otherwise) {
   if (!node) return std::string(otherwise);
   if (!node->is_string()) fail(key, "is no text, expected \"...\"");
   return checked(node->as_string()->get(), *node);
+}
+
+std::string TomlFields::near_key(std::string_view key) const {
+  std::vector<std::string_view> keys;
+  for (const auto& [other, node] : table_)
+    if (!known_.contains(other.str())) keys.push_back(other.str());
+  const std::string_view nearest = nearest_name(key, keys);
+  return nearest.empty() ? "" : "; is '" + std::string(nearest) + "' a misspelling of it?";
 }
 
 bool TomlFields::flag(std::string_view key, bool otherwise) {

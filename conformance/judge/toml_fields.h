@@ -35,6 +35,8 @@ class TomlFields {
   /// Throws at the first key that was not read above, with the nearest one that was.
   void finish() const;
 
+  /// For the message of a missing key: a key that nobody asked for and that is spelt much like it, or nothing.
+  std::string near_key(std::string_view key) const;
   SourceLocation where(std::string_view key) const;
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 

@@ -90,8 +90,11 @@ Workspace::~Workspace() {
 }
 
 void Workspace::copy_submission(const fs::path& submission, const Suite& suite) {
-  const fs::path top = suite.root_marker.empty() ? submission : find_root(submission, suite.root_marker);
-  left_out_ = copy_tree(top, build_, Pictures::leave_out);
+  if (!suite.root_marker.empty()) {
+    for (const fs::path& root : find_roots(submission, suite.root_marker))
+      roots_.push_back(root.lexically_relative(submission).generic_string());
+  }
+  left_out_ = copy_tree(roots_.empty() ? submission : submission / roots_.front(), build_, Pictures::leave_out);
   if (!suite.overlay.empty()) copy_tree(suite.overlay, build_, Pictures::copy);
 }
 
@@ -153,15 +156,17 @@ Workspace::CaseFolder Workspace::make_case_folder(const SuiteCase& suite_case, c
 
 void Workspace::remove_case_folder(const CaseFolder& folder) { remove_tree(folder.all); }
 
-fs::path find_root(const fs::path& top, const std::string& marker) {
+std::vector<fs::path> find_roots(const fs::path& top, const std::string& marker) {
   std::vector<fs::path> level{top};
   while (!level.empty()) {
-    std::vector<fs::path> next;
+    std::vector<fs::path> found, next;
     for (const fs::path& folder : level) {
-      if (fs::is_regular_file(fs::symlink_status(folder / marker))) return folder;
+      if (fs::is_regular_file(fs::symlink_status(folder / marker))) found.push_back(folder);
       for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.is_directory() && !entry.is_symlink()) next.push_back(entry.path());
+        if (entry.is_directory() && !entry.is_symlink() && !is_hidden(entry.path())) next.push_back(entry.path());
     }
+    std::ranges::sort(found);
+    if (!found.empty()) return found;
     std::ranges::sort(next);
     level = std::move(next);
   }

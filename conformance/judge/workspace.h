@@ -32,6 +32,8 @@ class Workspace {
   /// (copy_tree).
   void copy_submission(const std::filesystem::path& submission, const Suite& suite);
   const LeftOut& left_out() const { return left_out_; }
+  /// Where the root marker was found, relative to what was handed in; the first is the root. Empty without a marker.
+  const std::vector<std::string>& roots() const { return roots_; }
 
   /// The copy, in which the build runs.
   const std::filesystem::path& build() const { return build_; }
@@ -64,10 +66,11 @@ class Workspace {
   std::filesystem::path sealed_copy_;
   State sealed_;
   LeftOut left_out_;
+  std::vector<std::string> roots_;
 };
 
-/// The folder from which `marker` is found: `top` itself, or the one nearest below it. Throws InputError if there is
-/// none.
-std::filesystem::path find_root(const std::filesystem::path& top, const std::string& marker);
+/// The folders from which `marker` is found: `top` itself, or all of those nearest below it, by name. Hidden folders
+/// are passed over. Throws InputError if there is none.
+std::vector<std::filesystem::path> find_roots(const std::filesystem::path& top, const std::string& marker);
 
 }  // namespace plumb

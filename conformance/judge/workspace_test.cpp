@@ -71,17 +71,17 @@ std::vector<std::string> names_in(const fs::path& folder) {
 TEST_F(WorkspaceTest, TheRootIsTheNearestFolderWithTheMarker) {
   write("sub/ray/Main.java", "top");
   write("sub/old/ray/Main.java", "older");
-  EXPECT_EQ(find_root(sub(), "ray/Main.java"), sub());
+  EXPECT_EQ(find_roots(sub(), "ray/Main.java").front(), sub());
   fs::remove(sub() / "ray/Main.java");
-  EXPECT_EQ(find_root(sub(), "ray/Main.java"), sub() / "old");
+  EXPECT_EQ(find_roots(sub(), "ray/Main.java").front(), sub() / "old");
   fs::rename(sub() / "old", sub() / "unpacked");
   fs::create_directory(sub() / "twice");
   fs::rename(sub() / "unpacked", sub() / "twice/unpacked");
-  EXPECT_EQ(find_root(sub(), "ray/Main.java"), sub() / "twice/unpacked");
+  EXPECT_EQ(find_roots(sub(), "ray/Main.java").front(), sub() / "twice/unpacked");
   write("sub/b/ray/Main.java", "");
   write("sub/a/ray/Main.java", "");
-  EXPECT_EQ(find_root(sub(), "ray/Main.java"), sub() / "a") << "of two equally near the first by name";
-  EXPECT_THROW(find_root(sub(), "none"), InputError);
+  EXPECT_EQ(find_roots(sub(), "ray/Main.java").front(), sub() / "a") << "of two equally near the first by name";
+  EXPECT_THROW(find_roots(sub(), "none"), InputError);
 }
 
 TEST_F(WorkspaceTest, ACopyStartsFromTheRoot) {
@@ -312,6 +312,14 @@ TEST_F(WorkspaceTest, ReadOnlyFilesAreCopiedSoThatABuildCanWrite) {
   workspace.seal_build();
   const Workspace::CaseFolder folder = workspace.make_case_folder(case_, runner_);
   EXPECT_NE(fs::status(folder.run / "scene.xml").permissions() & fs::perms::owner_write, fs::perms::none);
+}
+
+TEST_F(WorkspaceTest, HiddenFoldersAreNoRootsAndOthersAreListed) {
+  write("sub/.svn/ray/Main.java", "stale");
+  write("sub/smith/ray/Main.java", "");
+  EXPECT_EQ(find_roots(sub(), "ray/Main.java"), std::vector<fs::path>{sub() / "smith"});
+  write("sub/jones/ray/Main.java", "");
+  EXPECT_EQ(find_roots(sub(), "ray/Main.java"), (std::vector<fs::path>{sub() / "jones", sub() / "smith"}));
 }
 
 }  // namespace

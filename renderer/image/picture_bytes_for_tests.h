@@ -13,7 +13,13 @@ namespace plumb {
 
 /// The path of a file in a folder that no other process uses. The folder exists.
 inline std::filesystem::path picture_test_file(const std::string& name) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("plumb-image-" + std::to_string(getpid()));
+  struct Folder {
+    ~Folder() { std::filesystem::remove_all(path); }
+    std::filesystem::path path =
+        std::filesystem::path(::testing::TempDir()) / ("plumb-image-" + std::to_string(getpid()));
+  };
+  static const Folder of_this_process;
+  const std::filesystem::path& folder = of_this_process.path;
   std::filesystem::create_directories(folder);
   return folder / name;
 }

@@ -30,6 +30,7 @@ ChannelOrder channel_order(const OIIO::ImageSpec& spec) {
 /// What the library says, without the folder that the file lies in: such texts are kept with results.
 std::string said(const OIIO::ImageInput& input, const std::filesystem::path& file) {
   std::string text = input.geterror();
+  text = text.substr(0, text.find('\n'));  // the library says the same again on further lines
   const std::string path = file.string();
   for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at))
     text.replace(at, path.size(), file.filename().string());

@@ -13,6 +13,7 @@
 #include "renderer/image/read_picture.h"
 #include "renderer/image/write_image.h"
 #include "renderer/math/input_error.h"
+#include "renderer/math/nearest_name.h"
 #include "tools/plumb/command.h"
 
 namespace plumb {
@@ -93,6 +94,8 @@ std::string parse_tolerance(const std::string& text) {
 }
 
 int run(const Arguments& arguments) {
+  if (!arguments.out.empty() && !equal_ignoring_case(std::filesystem::path(arguments.out).extension().string(), ".png"))
+    throw InputError({arguments.out}, "the heat map is a PNG picture, expected a name that ends in .png");
   if (!arguments.out.empty()) require_image_writable(arguments.out);
   PictureJudgement judgement;
   if (auto bad_reference = judge_reference(arguments.reference)) {

@@ -89,8 +89,11 @@ Plan plan_of(const Arguments& arguments) {
 std::vector<Job> jobs_of(const Arguments& arguments) {
   const std::vector<fs::path> scenes = scene_files(arguments.scenes);
   const fs::path output = arguments.output;
-  const bool into_folder = !output.empty() && (scenes.size() > 1 || !output.has_filename() || fs::is_directory(output));
+  const bool asks_for_several = scenes.size() > 1 || fs::is_directory(arguments.scenes.front());
+  const bool into_folder = !output.empty() && (asks_for_several || !output.has_filename() || fs::is_directory(output));
   if (into_folder) {
+    if (!fs::is_directory(output) && (output.extension() == ".png" || output.extension() == ".exr"))
+      throw InputError({output.string()}, "-o names a picture, but several scenes are rendered; expected a folder");
     std::error_code error;
     fs::create_directories(output, error);
     if (!fs::is_directory(output))

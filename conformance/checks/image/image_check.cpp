@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "conformance/compare/heat_map.h"
 #include "conformance/compare/judge_picture.h"
+#include "conformance/judge/copy_tree.h"
 #include "conformance/judge/suite_hash.h"
 #include "conformance/sandbox/harvest.h"
 #include "renderer/image/write_image.h"
@@ -24,14 +28,34 @@ CheckResult result_of(Verdict verdict, const std::string& cause, const std::stri
   return result;
 }
 
+/// The pictures that the program wrote somewhere else, by name; at most three. Links are not followed.
+std::string pictures_elsewhere(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
+       !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
+    if (!it->is_symlink() && it->is_regular_file(error) && is_picture(it->path()))
+      names.push_back("'" + it->path().lexically_relative(folder).generic_string() + "'");
+  }
+  std::ranges::sort(names);
+  if (names.size() > 3) names.resize(3);
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? ", but there is " : ", ") + name;
+  return text;
+}
+
 CheckResult no_picture(const ImageCheckInput& input) {
-  std::string summary = fmt::format("there is no picture '{}'", input.output);
+  std::string summary = fmt::format("there is no picture '{}'{}", input.output, pictures_elsewhere(input.run_folder));
+  std::string advice = "read log.txt for what the program said, and check where it writes its picture";
+  if (input.run.reason == StopReason::cannot_start)
+    advice =
+        "is it executable (chmod +x)? a script's first line must name a program that is there, without Windows line "
+        "ends";
   if (input.run.reason == StopReason::cannot_start)
     summary = input.run.start_error;
   else if (input.run.exit_code != 0)
     summary += fmt::format("; the program ended with exit status {}", input.run.exit_code);
-  CheckResult result = result_of(Verdict::fail, "no_picture", summary,
-                                 "read log.txt for what the program said, and check where it writes its picture");
+  CheckResult result = result_of(Verdict::fail, "no_picture", summary, advice);
   result.evidence = {{"exit_code", std::int64_t{input.run.exit_code}}};
   return result;
 }

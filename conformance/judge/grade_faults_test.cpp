@@ -122,5 +122,15 @@ TEST_F(GradeFaultsTest, ABlackExrIsWrongByTheDefaultTolerance) {
   EXPECT_THAT(outcomes(grade_by(text)), ElementsAre("a: fail (different)"));
 }
 
+TEST_F(GradeFaultsTest, TheSceneMayBeNamedAsOneOfTheInputs) {
+  write("scenes/deep.txt", "a scene");
+  write("suite.toml",
+        suite() +
+            "[[case]]\nid = \"a\"\ninputs = [\"scenes/deep.txt\"]\nscene = \"deep.txt\"\nreference = \"ref.png\"\n");
+  const Suite read = read_suite(folder_ / "suite.toml");
+  EXPECT_EQ(read.cases.at(0).scene, folder_ / "scenes/deep.txt");
+  EXPECT_EQ(read.cases.at(0).inputs.size(), 1U);
+}
+
 }  // namespace
 }  // namespace plumb

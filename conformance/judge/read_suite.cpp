@@ -154,7 +154,8 @@ class SuiteReader {
     if (std::ranges::any_of(suite_.cases, [&](const SuiteCase& other) { return other.id == c.id; }))
       fields.fail("id", "is '" + c.id + "', which an earlier case has");
     c.kind = one_of(fields, "kind", "image", kKinds);
-    c.scene = existing_file(fields, "scene", fields.text("scene"));
+    for (const std::string& input : fields.texts("inputs")) c.inputs.push_back(existing_file(fields, "inputs", input));
+    c.scene = scene_file(fields, c.inputs);
     c.reference = existing_file(fields, "reference", fields.text("reference"));
     c.requirement = fields.text("requirement", "");
     c.points = fields.number("points", c.points, 0);
@@ -166,7 +167,7 @@ class SuiteReader {
     c.memory_mb = fields.integer("memory_mb", c.memory_mb, 1, kMostMegabytes);
     c.output_mb = fields.integer("output_mb", c.output_mb, 1, kMostMegabytes);
     c.visibility = one_of(fields, "visibility", c.visibility, kVisibilities);
-    read_inputs(fields, c);
+    check_inputs(fields, c);
     std::vector<std::string> requires_ids = fields.texts("requires");
     fields.finish();
     suite_.cases.push_back(std::move(c));
@@ -174,8 +175,7 @@ class SuiteReader {
   }
 
   /// Inputs lie beside the scene, so two of one name would overwrite each other.
-  void read_inputs(TomlFields& fields, SuiteCase& c) const {
-    for (const std::string& input : fields.texts("inputs")) c.inputs.push_back(existing_file(fields, "inputs", input));
+  static void check_inputs(const TomlFields& fields, SuiteCase& c) {
     if (std::ranges::find(c.inputs, c.scene) == c.inputs.end()) c.inputs.push_back(c.scene);
     std::set<fs::path> names;
     for (const fs::path& input : c.inputs)
@@ -198,6 +198,14 @@ class SuiteReader {
           throw InputError(where, "the overlay holds the reference '" + c.reference.string() +
                                       "', which the submission must not see");
     }
+  }
+
+  /// A path like any other, or the file name of one of the inputs.
+  fs::path scene_file(TomlFields& fields, const std::vector<fs::path>& inputs) const {
+    const std::string name = fields.text("scene");
+    for (const fs::path& input : inputs)
+      if (input.filename() == name) return input;
+    return existing_file(fields, "scene", name);
   }
 
   fs::path existing_file(const TomlFields& fields, std::string_view key, const std::string& name) const {

@@ -122,7 +122,8 @@ TEST_F(DiffCommandTest, WhatCannotBeComparedIsAUsageError) {
       {"a.png b.png --tolerance x", "tolerance"},
       {"b.png a.png --tolerance nan", "tolerance"},
       {"a.png b.png --tolerence 1", ""},
-      {"a.png b.png --out heat.txt", "expected .png or .exr"},
+      {"a.png b.png --out heat.txt", "expected a name that ends in .png"},
+      {"b.exr a.exr --out heat.exr", "expected a name that ends in .png"},
       {"a.png b.png --out gone/heat.png", "does not exist"},
   };
   for (const auto& row : table) {

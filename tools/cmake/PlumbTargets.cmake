@@ -34,18 +34,38 @@ function(plumb_kinds out type header table)
     string(APPEND declarations "extern const ${type} ${stem}_kind;\n")
     string(APPEND entries "    &${stem}_kind,\n")
   endforeach()
+  list(LENGTH ARGN count)
   file(CONFIGURE OUTPUT "${out}" CONTENT
 "// Written by CMake from the files of the folder; do not edit.
 #include \"${header}\"
 
+#include <array>
+
 namespace plumb {
 ${declarations}
 namespace {
-const ${type}* const kKinds[] = {
+const std::array<const ${type}*, ${count}> kKinds{
 ${entries}};
 }  // namespace
 
 std::span<const ${type}* const> ${table}() { return kKinds; }
 }  // namespace plumb
 " @ONLY)
+endfunction()
+
+# plumb_sources(OUT_SOURCES OUT_HEADERS OUT_TESTS FOLDERS...)
+#   The .cpp, .h and _test.cpp files of the folders, relative to the current one.
+function(plumb_sources sources headers tests)
+  foreach(folder IN LISTS ARGN)
+    file(GLOB cpp CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}/*.cpp")
+    file(GLOB h CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}/*.h")
+    list(APPEND all_cpp ${cpp})
+    list(APPEND all_h ${h})
+  endforeach()
+  set(found_tests ${all_cpp})
+  list(FILTER all_cpp EXCLUDE REGEX "_test\\.cpp$")
+  list(FILTER found_tests INCLUDE REGEX "_test\\.cpp$")
+  set(${sources} ${all_cpp} PARENT_SCOPE)
+  set(${headers} ${all_h} PARENT_SCOPE)
+  set(${tests} ${found_tests} PARENT_SCOPE)
 endfunction()

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "conformance/subject/subject.h"
+#include "conformance/verdict.h"
+
+namespace plumb {
+
+/// How much is asked, and from where the random numbers start.
+struct CheckOptions {
+  /// Multiplies the counts of every check; 1 takes a few seconds a check on a fast kernel.
+  double intensity = 1;
+  std::uint64_t seed = 1;
+  /// Told the share that is done.
+  std::function<void(double)> progress = [](double) {};
+};
+
+/// One thing that is asked of a subject. Each is one file in `conformance/checks/AREA/`, with one constant NAME_check.
+struct CheckKind {
+  std::string_view id;         ///< `T1`, `leak-mesh`, `bounds`
+  std::string_view title;      ///< `Rays at the edges of a triangle`
+  std::string_view asks;       ///< what is asked, a sentence or two
+  std::string_view matters;    ///< what of a picture goes wrong where it fails
+  std::string_view tolerance;  ///< the derivation of its threshold
+  /// Asks and judges. Evidence: counts, rates, the worst case as hex floats. Throws UnsupportedBySubject and
+  /// SubjectFailure, which run_check turns into verdicts.
+  CheckResult (*run)(Subject& subject, const CheckOptions& options);
+};
+
+/// All, in the catalogue's order.
+std::span<const CheckKind* const> check_kinds();
+
+/// Runs one check: exceptions of the subject become verdicts; anything else is internal_error.
+CheckResult run_check(const CheckKind& check, Subject& subject, const CheckOptions& options);
+
+}  // namespace plumb

@@ -3,6 +3,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "renderer/math/affine_product.h"
 #include "renderer/math/input_error.h"
 #include "scenes/scene_kind.h"
 
@@ -37,15 +38,14 @@ class SceneBuilder {
     for (const ObjectPointer& light : description_.objects("light"))
       contents_.lights.push_back(entry_of(light_kinds(), *light).make(*light));
     for (const ObjectPointer& shader : description_.objects("shader")) shader_of(*shader);
-    for (const ObjectPointer& surface : description_.objects("surface"))
-      place(*surface, Placement{identity_matrix(), nullptr});
+    for (const ObjectPointer& surface : description_.objects("surface")) place(*surface, Placement{{}, nullptr});
     return Scene(std::move(contents_), options_.accel);
   }
 
  private:
   /// What the groups around a surface say of it.
   struct Placement {
-    AffineMatrix world_from_group;
+    AffineProduct world_from_group;
     const ObjectDescription* shader;
   };
 
@@ -70,8 +70,8 @@ class SceneBuilder {
     }
     const ObjectPointer own_shader = surface.object("shader");
     const ObjectDescription* shader = own_shader ? own_shader.get() : around.shader;
-    contents_.placed.push_back(
-        {&surface_of(surface), transform(surface, around.world_from_group), shader ? &shader_of(*shader) : &white()});
+    contents_.placed.push_back({&surface_of(surface), transform(surface, around.world_from_group.rounded()),
+                                shader ? &shader_of(*shader) : &white()});
   }
 
   /// Transforms multiply in file order, the first outermost, and apply to all members wherever they stand.
@@ -79,13 +79,11 @@ class SceneBuilder {
     Placement inner = around;
     for (const Property& property : group.properties) {
       const std::string_view name = property.parameter->name;
-      if (name == "translate")
-        inner.world_from_group = inner.world_from_group * translation(std::get<Vec3>(property.value));
-      if (name == "rotate")
-        inner.world_from_group = inner.world_from_group * rotation_degrees(std::get<Vec3>(property.value));
-      if (name == "scale") inner.world_from_group = inner.world_from_group * scaling(factors(group, property));
+      if (name == "translate") inner.world_from_group.translate(std::get<Vec3>(property.value));
+      if (name == "rotate") inner.world_from_group.rotate_degrees(std::get<Vec3>(property.value));
+      if (name == "scale") inner.world_from_group.scale(factors(group, property));
     }
-    transform(group, inner.world_from_group);  // a singular one is the group's fault, not its members'
+    transform(group, inner.world_from_group.rounded());  // a singular one is the group's fault, not its members'
     const ObjectPointer shader = group.object("shader");
     if (shader) inner.shader = shader.get();
     for (const ObjectPointer& member : group.objects("surface")) place(*member, inner);

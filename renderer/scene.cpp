@@ -1,15 +1,56 @@
 #include "renderer/scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace plumb {
 namespace {
 
-std::vector<Bounds3> world_bounds(const std::vector<PlacedSurface>& placed) {
+/// How much larger than in object space an error may be in world space, relative to the coordinates there: taken to
+/// object space, a coordinate is multiplied by at most the norm of the inverse, rounded at that size, and the error
+/// multiplied by the norm of the matrix on the way back. `offset` is the same for the inverse's offset, absolute.
+struct Amplification {
+  double relative, offset;
+};
+
+Amplification amplification(const Transform& world_from_object) {
+  double norm = 0, inverse_norm = 0, offset = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& m = world_from_object.matrix()[i];
+    const auto& inverse = world_from_object.inverse_matrix()[i];
+    norm = std::max(norm, std::fabs(m[0]) + std::fabs(m[1]) + std::fabs(m[2]));
+    inverse_norm = std::max(inverse_norm, std::fabs(inverse[0]) + std::fabs(inverse[1]) + std::fabs(inverse[2]));
+    offset = std::max(offset, std::fabs(inverse[3]));
+  }
+  // Past 2^60 nothing is left of the digits anyway, and infinite boxes would not sort.
+  return {std::min(norm * inverse_norm, 0x1p60), std::min(norm * offset, 0x1p900)};
+}
+
+/// The boxes for the search: those of the surfaces, and room for the errors of rays in ill-conditioned frames.
+std::vector<Bounds3> search_bounds(const std::vector<PlacedSurface>& placed) {
   std::vector<Bounds3> bounds;
   bounds.reserve(placed.size());
-  for (const PlacedSurface& p : placed) bounds.push_back(p.surface->world_bounds(p.world_from_object));
+  for (const PlacedSurface& p : placed) {
+    Bounds3 box = p.surface->world_bounds(p.world_from_object);
+    if (!p.world_from_object.is_identity() && !box.empty()) {
+      const auto [relative, offset] = amplification(p.world_from_object);
+      const double wider = SlabTest::kMargin * offset;
+      box = widened(box, SlabTest::kMargin * relative);
+      box.min = box.min + Vec3{-wider, -wider, -wider};
+      box.max = box.max + Vec3{wider, wider, wider};
+    }
+    bounds.push_back(box);
+  }
   return bounds;
+}
+
+/// Twice the largest amplification: a ray's origin counts for itself and for the way from there to the box.
+double origin_margin(const std::vector<PlacedSurface>& placed) {
+  double largest = 0.5;
+  for (const PlacedSurface& p : placed)
+    if (!p.world_from_object.is_identity()) largest = std::max(largest, amplification(p.world_from_object).relative);
+  return 2 * largest * SlabTest::kMargin;
 }
 
 /// The ray in the surface's own frame; a surface outside of any group pays nothing for groups.
@@ -20,7 +61,8 @@ Ray object_ray(const PlacedSurface& placed, const Ray& world) {
 }  // namespace
 
 Scene::Scene(SceneContents contents, Accel accel)
-    : contents_(std::move(contents)), accelerator_(accel, world_bounds(contents_.placed)) {}
+    : contents_(std::move(contents)),
+      accelerator_(accel, search_bounds(contents_.placed), origin_margin(contents_.placed)) {}
 
 std::optional<Scene::Hit> Scene::closest_hit(const Ray& ray, TraceCounters& counters) const {
   std::optional<Hit> closest;

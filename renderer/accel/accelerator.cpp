@@ -9,9 +9,9 @@ std::span<const std::string_view> accel_names() {
   return kNames;
 }
 
-Accelerator::Accelerator(Accel accel, std::span<const Bounds3> bounds)
+Accelerator::Accelerator(Accel accel, std::span<const Bounds3> bounds, double origin_margin)
     : accel_(accel),
       count_(static_cast<std::uint32_t>(bounds.size())),
-      hierarchy_(accel == Accel::bvh2 ? bounds : std::span<const Bounds3>{}) {}
+      hierarchy_(accel == Accel::bvh2 ? bounds : std::span<const Bounds3>{}, origin_margin) {}
 
 }  // namespace plumb

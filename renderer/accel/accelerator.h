@@ -16,7 +16,8 @@ std::span<const std::string_view> accel_names();
 /// Numbered boxes, to be searched by rays.
 class Accelerator {
  public:
-  Accelerator(Accel accel, std::span<const Bounds3> bounds);
+  /// `origin_margin` as in Hierarchy.
+  Accelerator(Accel accel, std::span<const Bounds3> bounds, double origin_margin = SlabTest::kMargin);
 
   /// As Hierarchy::walk; linear search visits every primitive whatever its box.
   template <class Visit>

@@ -22,7 +22,8 @@ using AffineMatrix = std::array<std::array<double, 4>, 3>;
 AffineMatrix operator*(const AffineMatrix& a, const AffineMatrix& b);
 
 /// An affine map and its inverse. Variables are named `to_from`: `world_from_object` takes object space
-/// to world space. The inverse is the rounded inverse of the matrix that is stored, whatever product made it.
+/// to world space. The inverse is that of the matrix that is stored, whatever product made it,
+/// each entry within 0.51 of a unit of its last place.
 class Transform {
  public:
   /// The identity.
@@ -43,13 +44,8 @@ class Transform {
   Normal3 operator()(const Normal3& n) const;
   /// Maps origin and direction. The direction is not renormalised, so t means the same in both frames.
   Ray operator()(const Ray& ray) const;
-  /// A box that holds every mapped point of the box: around its corners, and widened by their rounding_bound. Empty for
-  /// an empty box.
+  /// The smallest box, in doubles, that holds every mapped point of the box. Empty for an empty box.
   Bounds3 operator()(const Bounds3& bounds) const;
-  /// By how much, at most, each coordinate of the mapped point is off by rounding: the three products and three sums of
-  /// a row are within gamma_4 of the sum of the terms' magnitudes [Higham 2002, section 3.1], 4u of it; 8u covers the
-  /// sum's own rounding. Zero for the identity.
-  Vec3 rounding_bound(const Point3& p) const;
 
   /// The ray in the frame that this transform maps from.
   Ray inverse_of(const Ray& ray) const;
@@ -63,7 +59,7 @@ class Transform {
 AffineMatrix identity_matrix();
 AffineMatrix translation(const Vec3& offset);
 AffineMatrix scaling(const Vec3& factors);
-/// Rz Ry Rx: the rotation about x is applied first. Angles in degrees, entries by cos_sin_degrees.
+/// Rz Ry Rx: the rotation about x is applied first. Angles in degrees; entries as by AffineProduct.
 AffineMatrix rotation_degrees(const Vec3& angles);
 
 }  // namespace plumb

@@ -41,11 +41,11 @@ class Surface {
   /// The outward normal at a hit of this ray on this surface; of any length.
   virtual Normal3 normal(const Ray& ray, const SurfaceHit& hit) const = 0;
 
-  /// A box in object space that holds the surface.
-  virtual Bounds3 bounds() const = 0;
+  /// The smallest box, in doubles, that holds the surface as its numbers define it, in object space.
+  Bounds3 bounds() const { return world_bounds(Transform()); }
 
-  /// A box in world space that holds the transformed surface. By default the box of the box's corners.
-  virtual Bounds3 world_bounds(const Transform& world_from_object) const { return world_from_object(bounds()); }
+  /// The same in world space, of the surface mapped by the transform's matrix without rounding.
+  virtual Bounds3 world_bounds(const Transform& world_from_object) const = 0;
 };
 
 /// What the making of a surface needs beside its own description.
@@ -71,11 +71,5 @@ inline constexpr Parameter surface_shader_parameter{
     .meaning = "how it is shaded; without one that of the group around it, else white Lambertian",
     .presence = Presence::optional,
     .role = Role::shader};
-
-/// The largest distances from the centre, by world axis, of a transformed disc of this radius about the z axis.
-Vec3 disc_extent(const AffineMatrix& m, double radius);
-/// The box around `center` +- `extent`, widened by `center_rounding` and by 8 u (|center| + extent), which covers the
-/// roundings of the extent and of the sums.
-Bounds3 bounds_around(const Point3& center, const Vec3& extent, const Vec3& center_rounding = {});
 
 }  // namespace plumb

@@ -31,7 +31,8 @@ struct TriangleHit {
 /// Watertight [Woop 2013]: seen along the ray, each vertex is a point of a plane, rounded alike for every triangle that
 /// shares it, and on which side of an edge the ray passes is decided exactly between those points. So no ray slips
 /// between neighbours, at a vertex neither. t is taken from the triangle's own plane, with its edges as differences,
-/// which is more accurate than the same products.
+/// which is more accurate than the same products, unless the ray grazes that plane, or the triangle is a needle: then t
+/// is interpolated, and the hit is within a few roundings of the triangle all the same.
 std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                               const Point3& c);
 

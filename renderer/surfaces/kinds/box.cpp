@@ -46,7 +46,9 @@ class Box : public Surface {
 
   Normal3 normal(const Ray&, const SurfaceHit& hit) const override { return face_normal(hit.part); }
 
-  Bounds3 bounds() const override { return {min_, max_}; }
+  Bounds3 world_bounds(const Transform& world_from_object) const override {
+    return world_from_object(Bounds3{min_, max_});
+  }
 
  private:
   Point3 min_;
@@ -84,11 +86,11 @@ class InvertedBox : public Surface {
     return dot(along, ray.direction) > 0 ? -along : along;
   }
 
-  Bounds3 bounds() const override {
+  Bounds3 world_bounds(const Transform& world_from_object) const override {
     Bounds3 box;
     box.extend(min_);
     box.extend(max_);
-    return box;
+    return world_from_object(box);
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/math/support.h"
 #include "renderer/surfaces/interval.h"
 #include "renderer/surfaces/surface.h"
 
@@ -16,7 +17,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class Cone : public Surface {
  public:
   Cone(const Point3& center, double tip_z, double radius, double height)
-      : center_(center), tip_z_(tip_z), slope_(radius / std::fabs(center.z - tip_z)), half_(height / 2) {}
+      : center_(center),
+        tip_z_(tip_z),
+        radius_(radius),
+        slope_(radius / std::fabs(center.z - tip_z)),
+        half_(height / 2) {}
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters&) const override {
     const std::optional<Interval> slab = inside_slab(ray, center_.z, half_);
@@ -42,18 +47,20 @@ class Cone : public Surface {
     return out == Normal3{} ? Normal3{0, 0, 1} : out;
   }
 
-  Bounds3 bounds() const override { return world_bounds(Transform()); }
-
   /// The hull of a cone, single or double, is that of its two end discs.
   Bounds3 world_bounds(const Transform& world_from_object) const override {
-    Bounds3 box;
-    for (const double z : {center_.z - half_, center_.z + half_}) {
-      const double radius = slope_ * std::fabs(z - tip_z_);
-      const Point3 end{center_.x, center_.y, z};
-      box.extend(bounds_around(world_from_object(end), disc_extent(world_from_object.matrix(), radius),
-                               world_from_object.rounding_bound(end)));
-    }
-    return box;
+    const ExactSum from_tip = ExactSum(center_.z) - tip_z_;
+    return mapped_bounds(world_from_object.matrix(), [&](const AffineRow& row) {
+      const auto end = [&](double shift) {
+        return highest(row, RoundBody{.center = center_,
+                                      .radius = radius_,
+                                      .dimensions = 2,
+                                      .shift = shift,
+                                      .numerator = from_tip + shift,
+                                      .denominator = from_tip});
+      };
+      return std::max(end(-half_), end(half_));
+    });
   }
 
  private:
@@ -93,6 +100,7 @@ class Cone : public Surface {
 
   Point3 center_;
   double tip_z_;
+  double radius_;
   double slope_;
   double half_;
 };

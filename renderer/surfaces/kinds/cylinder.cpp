@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/math/support.h"
 #include "renderer/surfaces/interval.h"
 #include "renderer/surfaces/surface.h"
 
@@ -30,13 +31,12 @@ class Cylinder : public Surface {
     return {out.x, out.y, 0};
   }
 
-  Bounds3 bounds() const override { return bounds_around(center_, {radius_, radius_, half_}); }
-
+  /// The hull of the two end discs.
   Bounds3 world_bounds(const Transform& world_from_object) const override {
-    const AffineMatrix& m = world_from_object.matrix();
-    const Vec3 axis{half_ * std::fabs(m[0][2]), half_ * std::fabs(m[1][2]), half_ * std::fabs(m[2][2])};
-    return bounds_around(world_from_object(center_), axis + disc_extent(m, radius_),
-                         world_from_object.rounding_bound(center_));
+    return mapped_bounds(world_from_object.matrix(), [&](const AffineRow& row) {
+      const double end = std::copysign(half_, row[2]);  // the one that lies higher
+      return highest(row, RoundBody{.center = center_, .radius = radius_, .dimensions = 2, .shift = end});
+    });
   }
 
  private:

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 
 #include "meshes/triangle_mesh.h"
+#include "renderer/math/support.h"
 #include "renderer/surfaces/surface.h"
 #include "renderer/surfaces/triangle.h"
 
@@ -10,7 +12,7 @@ namespace {
 class Mesh : public Surface {
  public:
   Mesh(std::shared_ptr<const TriangleMesh> mesh, Accel accel)
-      : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)) {}
+      : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)), runs_(bounds_of_runs(*mesh_)) {}
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters& counters) const override {
     std::optional<SurfaceHit> closest;
@@ -44,14 +46,38 @@ class Mesh : public Surface {
     return as_normal(cross(p[b] - p[a], p[c] - p[a]));
   }
 
-  Bounds3 bounds() const override {
-    Bounds3 box;
-    for (const auto& triangle : mesh_->triangles)
-      for (const std::uint32_t vertex : triangle) box.extend(mesh_->positions[vertex]);
-    return box;
+  /// Of the vertices that triangles use.
+  Bounds3 world_bounds(const Transform& world_from_object) const override {
+    if (mesh_->triangles.empty()) return {};
+    return mapped_bounds(world_from_object.matrix(), [&](const AffineRow& row) { return highest_vertex(row); });
   }
 
  private:
+  /// As many triangles share a box, so that finding the highest vertex looks at few of them.
+  static constexpr std::size_t kRun = 64;
+
+  static std::vector<Bounds3> bounds_of_runs(const TriangleMesh& mesh) {
+    std::vector<Bounds3> runs((mesh.triangles.size() + kRun - 1) / kRun);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      for (const std::uint32_t vertex : mesh.triangles[i]) runs[i / kRun].extend(mesh.positions[vertex]);
+    return runs;
+  }
+
+  double highest_vertex(const AffineRow& row) const {
+    double found = -Bounds3::kInfinity;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+      if (about_highest(row, runs_[run]) <= found) continue;
+      const std::size_t end = std::min((run + 1) * kRun, mesh_->triangles.size());
+      for (std::size_t i = run * kRun; i < end; ++i) {
+        for (const std::uint32_t vertex : mesh_->triangles[i]) {
+          const Point3& p = mesh_->positions[vertex];
+          if (!(about_highest(row, {p, p}) <= found)) found = std::max(found, highest(row, p));
+        }
+      }
+    }
+    return found;
+  }
+
   std::optional<TriangleHit> test(const ShearedRay& ray, std::uint32_t triangle, TraceCounters& counters) const {
     ++counters.primitive_tests;
     const auto [a, b, c] = mesh_->triangles[triangle];
@@ -60,6 +86,7 @@ class Mesh : public Surface {
 
   std::shared_ptr<const TriangleMesh> mesh_;
   Accelerator accelerator_;
+  std::vector<Bounds3> runs_;
 };
 
 constexpr std::array kParameters{

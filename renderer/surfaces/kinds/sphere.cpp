@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/math/support.h"
 #include "renderer/surfaces/interval.h"
 #include "renderer/surfaces/surface.h"
 
@@ -21,16 +22,11 @@ class Sphere : public Surface {
 
   Normal3 normal(const Ray& ray, const SurfaceHit& hit) const override { return as_normal(ray.at(hit.t) - center_); }
 
-  Bounds3 bounds() const override { return bounds_around(center_, {radius_, radius_, radius_}); }
-
   /// A transformed sphere reaches r |row i of the matrix| along axis i, less than its box's corners do.
   Bounds3 world_bounds(const Transform& world_from_object) const override {
-    const AffineMatrix& m = world_from_object.matrix();
-    const auto extent = [&](std::size_t i) {
-      return radius_ * std::sqrt(m[i][0] * m[i][0] + m[i][1] * m[i][1] + m[i][2] * m[i][2]);
-    };
-    return bounds_around(world_from_object(center_), {extent(0), extent(1), extent(2)},
-                         world_from_object.rounding_bound(center_));
+    return mapped_bounds(world_from_object.matrix(), [&](const AffineRow& row) {
+      return highest(row, RoundBody{.center = center_, .radius = radius_});
+    });
   }
 
  private:

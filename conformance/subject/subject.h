@@ -82,6 +82,10 @@ class Subject {
   virtual std::string description() const { return ""; }
   virtual const Contract& contract() const = 0;
 
+  /// By how much fewer questions it is asked than a kernel in the same time; 1 for a kernel, less where each scene is a
+  /// file.
+  virtual double pace() const { return 1; }
+
   /// Replaces the scene that is asked about.
   virtual void load(const SubjectScene& scene) = 0;
   virtual std::vector<SubjectHit> closest(std::span<const Ray> rays) = 0;

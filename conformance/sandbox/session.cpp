@@ -98,9 +98,12 @@ Session::Session(const SessionRequest& request) : answers_(request.answer_prefix
   ::fcntl(output.get(), F_SETPIPE_SZ, 1 << 20);  // Fewer switches for a talkative program; not vital.
 
   ProcessRequest process = request.process;
-  process.environment.push_back(request.line_variable + "=" + std::to_string(ProcessWiring::kLine));
+  process.environment.push_back(request.line_variable + "=" + std::to_string(ProcessRequest::kLine));
   process.limits.wall_seconds = std::numeric_limits<double>::infinity();
-  process_.emplace(process, ProcessWiring{their_input.get(), their_output.get(), their_line.get()});
+  process.input = their_input.get();
+  process.output = their_output.get();
+  process.line = their_line.get();
+  process_.emplace(process);
   line_ = std::move(line);
   input_ = std::move(input);
   output_ = std::move(output);
@@ -124,6 +127,7 @@ SessionAnswer Session::ask(std::string question, double seconds, std::size_t lon
   for (int reads_at_end = 0;;) {
     // Asked before the reading: what it wrote before its end is then there to be read.
     const bool ended = !process_->started() || process_->has_ended();
+    answer.ended = ended;
     const bool came = read_ways();
     process_->drain_log();
     if (take_line(answer.line)) return over(answer.line.size() > longest_line ? Kind::too_long : Kind::line);

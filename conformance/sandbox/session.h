@@ -36,6 +36,7 @@ struct SessionAnswer {
   Kind kind = Kind::line;
   std::string line;
   StopReason reason = StopReason::exited;
+  bool ended = false;  ///< Whether the program had ended, where it is no line.
 };
 
 /// A conversation with a program that is not trusted, alive until the session ends. What is said at run_process of

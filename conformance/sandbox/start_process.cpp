@@ -20,7 +20,7 @@ namespace plumb {
 
 namespace {
 
-constexpr int kReportNumber = ProcessWiring::kLine + 1;  // In the child, until it executes.
+constexpr int kReportNumber = ProcessRequest::kLine + 1;  // In the child, until it executes.
 
 /// What the child could not do.
 enum class Stage { prepare, enter, execute };
@@ -104,8 +104,8 @@ void close_all_but_standard_and_report(int highest) {
 /// In the child. Only calls that POSIX allows between fork and exec, and bare system calls.
 [[noreturn]] void become(Plan& plan) {
   require(::dup3(plan.report, kReportNumber, O_CLOEXEC) == kReportNumber);
-  ::close(ProcessWiring::kLine);
-  if (plan.line >= 0) require(::dup2(plan.line, ProcessWiring::kLine) == ProcessWiring::kLine);
+  ::close(ProcessRequest::kLine);
+  if (plan.line >= 0) require(::dup2(plan.line, ProcessRequest::kLine) == ProcessRequest::kLine);
   require(::dup2(plan.input, 0) == 0 && ::dup2(plan.output, 1) == 1 && ::dup2(plan.errors, 2) == 2);
   close_all_but_standard_and_report(plan.highest_descriptor);
 
@@ -198,11 +198,11 @@ std::string describe(const Report& report, const ProcessRequest& request) {
 
 }  // namespace
 
-StartedProcess start_process(const ProcessRequest& request, const ProcessWiring& wiring) {
+StartedProcess start_process(const ProcessRequest& request) {
   const FileDescriptor input =
-      wiring.input >= 0 ? copy_of(wiring.input) : above_fixed(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const FileDescriptor output = copy_of(wiring.output);
-  const FileDescriptor line = copy_of(wiring.line);
+      request.input >= 0 ? copy_of(request.input) : above_fixed(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  const FileDescriptor output = copy_of(request.output);
+  const FileDescriptor line = copy_of(request.line);
   Pipe log = make_pipe();
   Pipe report = make_pipe();
   if (::fcntl(log.read.get(), F_SETFL, O_NONBLOCK) != 0) fail("cannot make a pipe");

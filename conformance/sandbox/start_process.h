@@ -17,16 +17,8 @@ struct StartedProcess {
   std::string error;   ///< Why it did not start; a process that failed to is already waited for.
 };
 
-/// What a program is given in place of its usual descriptors; each stays the caller's. -1: the usual.
-struct ProcessWiring {
-  int input = -1;   ///< Standard input, else /dev/null.
-  int output = -1;  ///< Standard output, else the log.
-  int line = -1;    ///< Open in the program as number kLine; else nothing is.
-  static constexpr int kLine = 3;
-};
-
 /// Forks and executes as `run_process` says, and returns when the program runs or is known not to. Throws
 /// std::system_error where that is no fault of the request.
-StartedProcess start_process(const ProcessRequest& request, const ProcessWiring& wiring = {});
+StartedProcess start_process(const ProcessRequest& request);
 
 }  // namespace plumb

@@ -84,13 +84,13 @@ RunScope::~RunScope() {
   run_is_going_on = false;
 }
 
-WatchedProcess::WatchedProcess(const ProcessRequest& request, const ProcessWiring& wiring)
+WatchedProcess::WatchedProcess(const ProcessRequest& request)
     : limits_((check(request), request.limits)), log_(request.limits.log_bytes) {
   if (!request.writable_folder.empty()) folder_.emplace(request.writable_folder);
   own_resident_bytes_ = own_resident_bytes();
   start_ = Clock::now();
   next_look_ = start_;
-  process_ = start_process(request, wiring);
+  process_ = start_process(request);
   outcome_.active_limits = describe_limits(request);
 }
 

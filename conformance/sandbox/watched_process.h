@@ -39,7 +39,7 @@ class WatchedProcess {
   using Clock = std::chrono::steady_clock;
 
   /// Starts it. Throws as run_process does; a program that cannot be executed is no exception: see `started`.
-  explicit WatchedProcess(const ProcessRequest& request, const ProcessWiring& wiring = {});
+  explicit WatchedProcess(const ProcessRequest& request);
   WatchedProcess(const WatchedProcess&) = delete;
   WatchedProcess& operator=(const WatchedProcess&) = delete;
   /// Ends it and all that it started, unless that was done.

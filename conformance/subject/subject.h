@@ -35,6 +35,8 @@ struct SubjectHit {
   /// The triangle of a mesh.
   std::uint32_t primitive = 0;
   double t = 0, u = 0, v = 0;
+  /// Whether the subject reports u and v.
+  bool has_weights = true;
   /// In world space, where the subject reports one.
   std::optional<Vec3> normal;
   bool hit() const { return surface != kMiss; }

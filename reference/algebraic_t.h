@@ -16,7 +16,9 @@ struct AlgebraicT {
 /// -1, 0 or 1 as x < y, x = y or x > y; exact.
 int compare(const AlgebraicT& x, const AlgebraicT& y);
 
-/// The exact t of a crossing that solid_hit() returned for this shape and ray.
+/// The exact t of a crossing that solid_hit returned for the same shape and ray. Two crossings whose every field agrees
+/// (roots within one spacing of doubles) cannot be told apart: the nearer answers. Throws std::invalid_argument for a
+/// crossing that is none of this ray.
 AlgebraicT solid_crossing_t(const PlacedShape& shape, const Ray& ray, const ExactCrossing& crossing);
 
 }  // namespace plumb

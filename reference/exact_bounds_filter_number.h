@@ -7,8 +7,8 @@
 namespace plumb {
 
 /// An unevaluated sum hi + lo of two doubles (hi the sum rounded to nearest) and a bound on how far it is from the true
-/// value: the number type of the filter. Zero, an exact result stays known as exact: `error` is then 0. Where range
-/// does not suffice, `error` is infinite or NaN and round_up answers nothing.
+/// value: the number type of the filter. What is exact stays known as exact: its `error` is 0. Where the range of
+/// doubles does not suffice, one of the three is infinite or NaN and round_up answers nothing.
 ///
 /// How the bound is derived, u = 2^-53: sums, and the last steps of quotients and roots, measure what they lost by
 /// exact sums and products [Knuth 1997, Dekker 1971] and put that into `error`; a product drops or rounds fewer than

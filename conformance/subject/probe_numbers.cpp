@@ -46,13 +46,13 @@ double finite_number(const json& value, std::string_view what) {
 
 const json& list_of(const json& value, std::string_view what) {
   if (!value.is_array()) protocol_fault(fmt::format("{} is not a list", what));
-  return json;
+  return value;
 }
 
 const json& list_of(const json& value, std::size_t count, std::string_view what) {
   if (list_of(value, what).size() != count)
     protocol_fault(fmt::format("{} is a list of {}, expected {}", what, value.size(), count));
-  return json;
+  return value;
 }
 
 std::vector<double> finite_numbers(const json& value, std::size_t count, std::string_view what) {

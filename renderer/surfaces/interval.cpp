@@ -15,17 +15,25 @@ std::optional<Interval> stretched(std::optional<Interval> interval) {
   if (!interval) return interval;
   return Interval{{interval->from.t * kStretch, interval->from.part}, {interval->to.t * kStretch, interval->to.part}};
 }
+/// center + half - z, rounded once where the rounding of the sum before could show.
+double distance_to_end(double center, double half, double z) {
+  const double end = center + half;
+  const double distance = end - z;
+  if (std::fabs(distance) > 0x1p-30 * std::fabs(end)) return distance;
+  return static_cast<double>(ExactSum(center).add(half).add(-z).rounded());
+}
+
 }  // namespace
 
 std::optional<Interval> inside_slab(const Ray& ray, double center, double half) {
-  const double low = center - half;
-  const double high = center + half;
+  const double to_bottom = distance_to_end(center, -half, ray.origin.z);
+  const double to_top = distance_to_end(center, half, ray.origin.z);
   if (ray.direction.z == 0) {
-    if (!(ray.origin.z >= low && ray.origin.z <= high)) return std::nullopt;
+    if (!(to_bottom <= 0 && to_top >= 0)) return std::nullopt;
     return Interval{{-kInfinity, kBottom}, {kInfinity, kTop}};
   }
-  Crossing bottom{(low - ray.origin.z) / ray.direction.z, kBottom};
-  Crossing top{(high - ray.origin.z) / ray.direction.z, kTop};
+  Crossing bottom{to_bottom / ray.direction.z, kBottom};
+  Crossing top{to_top / ray.direction.z, kTop};
   if (ray.direction.z < 0) std::swap(bottom, top);
   if (!(bottom.t <= top.t)) return std::nullopt;  // NaN
   return Interval{bottom, top};
@@ -55,20 +63,77 @@ Roots quadratic_roots(double a, double b, double c, double discriminant) {
   return by_sum < by_product ? Roots{by_sum, by_product} : Roots{by_product, by_sum};
 }
 
-std::optional<Interval> inside_radius(const Vec3& f, const Vec3& d, double radius) {
+std::optional<Roots> quadratic_roots(const ExactSum& a, const ExactSum& b, const ExactSum& c) {
+  const ExactSum discriminant = b * b - a * c;
+  if (discriminant.sign() < 0) return std::nullopt;
+  const long double middle = b.rounded();
+  const long double q = middle + std::copysign(std::sqrt(discriminant.rounded()), middle);
+  if (q == 0) return Roots{0, 0};
+  const auto by_sum = static_cast<double>(q / a.rounded());
+  const auto by_product = static_cast<double>(c.rounded() / q);
+  return by_sum < by_product ? Roots{by_sum, by_product} : Roots{by_product, by_sum};
+}
+
+namespace {
+
+std::optional<Interval> between(const std::optional<Roots>& roots) {
+  if (!roots) return std::nullopt;
+  return Interval{{roots->first, kSide}, {roots->second, kSide}};
+}
+
+/// Whether a point is, without rounding.
+bool within_radius(const Point3& point, const Point3& center, double radius, int dimensions) {
+  ExactSum c;
+  for (int i = 0; i < dimensions; ++i) {
+    const ExactSum f = ExactSum(point[i]) - center[i];
+    c += f * f;
+  }
+  return c.add_product(-radius, radius).sign() <= 0;
+}
+
+std::optional<Interval> exactly_inside_radius(const Ray& ray, const Point3& center, double radius, int dimensions) {
+  ExactSum a, b, c;
+  for (int i = 0; i < dimensions; ++i) {
+    const ExactSum f = ExactSum(ray.origin[i]) - center[i];
+    a.add_product(ray.direction[i], ray.direction[i]);
+    b -= f * ray.direction[i];
+    c += f * f;
+  }
+  c.add_product(-radius, radius);
+  return between(quadratic_roots(a, b, c));
+}
+
+}  // namespace
+
+std::optional<Interval> inside_radius(const Ray& ray, const Point3& center, double radius, int dimensions) {
+  Vec3 f = ray.origin - center;
+  Vec3 d = ray.direction;
+  if (dimensions == 2) f.z = d.z = 0;
   const double a = dot(d, d);
+  const double squares = dot(f, f) + radius * radius;
   const double c = dot(f, f) - radius * radius;
   if (a == 0) {
-    if (d != Vec3{}) return stretched(inside_radius(f, kStretch * d, radius));  // its square has underflowed
-    if (!(c <= 0)) return std::nullopt;
+    if (d != Vec3{}) {  // its square has underflowed
+      return stretched(inside_radius({ray.origin, kStretch * d, ray.t_min / kStretch}, center, radius, dimensions));
+    }
+    const bool sure = std::fabs(c) > 0x1p-48 * squares;
+    if (!(sure ? c <= 0 : within_radius(ray.origin, center, radius, dimensions))) return std::nullopt;
     return Interval{{-kInfinity, kSide}, {kInfinity, kSide}};
   }
   const double b = -dot(f, d);
   const Vec3 nearest = f + (b / a) * d;
   const double discriminant = radius * radius - dot(nearest, nearest);
+
+  // The nearest point is off by 12u |f| at most and so, where it is about r away, the discriminant by 28u |f| r.
+  const double size = std::fabs(f.x) + std::fabs(f.y) + std::fabs(f.z);
+  const bool touches = std::fabs(discriminant) < 0x1p-46 * size * (radius + 0x1p-46 * size);
+  // c is off by 8u of the squares, and c / b, about, is the root close to the origin. Before t_min it does not matter.
+  const bool starts_at_surface =
+      std::fabs(c) < 0x1p-20 * squares && !(std::fabs(c) + 0x1p-50 * squares < ray.t_min * std::fabs(b));
+  if (touches || starts_at_surface) return exactly_inside_radius(ray, center, radius, dimensions);
+
   if (!(discriminant >= 0)) return std::nullopt;
-  const Roots roots = quadratic_roots(a, b, c, a * discriminant);
-  return Interval{{roots.first, kSide}, {roots.second, kSide}};
+  return between(quadratic_roots(a, b, c, a * discriminant));
 }
 
 }  // namespace plumb

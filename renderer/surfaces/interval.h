@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "renderer/math/exact_sum.h"
 #include "renderer/math/ray.h"
 
 namespace plumb {
@@ -32,7 +33,8 @@ struct Intervals {
 /// The parts of a solid around the z axis.
 enum SolidPart : std::uint32_t { kSide = 0, kBottom = 1, kTop = 2 };
 
-/// Where center - half <= z <= center + half. Nothing if the line runs outside of the slab, parallel to it.
+/// Where center - half <= z <= center + half; a t has the sign of the exact one. Nothing if the line runs outside of
+/// the slab, parallel to it.
 std::optional<Interval> inside_slab(const Ray& ray, double center, double half);
 
 /// The part of `a` in `b`; on equal ends the crossing of `a` is kept.
@@ -48,9 +50,14 @@ struct Roots {
 };
 Roots quadratic_roots(double a, double b, double c, double discriminant);
 
-/// Where the line lies within `radius` of the origin, given the quadratic's vectors: `f` from the centre to the
-/// ray's origin and `d` the direction, both without the coordinates that do not count (a cylinder's z).
-/// The discriminant is taken as r^2 - |f - (f.d / d.d) d|^2, which stays accurate far away [Haines 2019].
-std::optional<Interval> inside_radius(const Vec3& f, const Vec3& d, double radius);
+/// The same from coefficients without rounding, each root within 2^-60 of itself before it is rounded to a double, so
+/// that its sign is right. Nothing if the discriminant is negative.
+std::optional<Roots> quadratic_roots(const ExactSum& a, const ExactSum& b, const ExactSum& c);
+
+/// Where the line lies within `radius` of the centre, by its first two coordinates (a cylinder) or by all three (a
+/// ball). The discriminant is taken as r^2 - |f - (f.d / d.d) d|^2, with f from the centre to the origin, which stays
+/// accurate far away [Haines 2019]. Where its sign is not sure, or that of a root because the origin is close to the
+/// surface, exact coefficients decide; for that every number must be zero or within [2^-190, 2^190].
+std::optional<Interval> inside_radius(const Ray& ray, const Point3& center, double radius, int dimensions);
 
 }  // namespace plumb

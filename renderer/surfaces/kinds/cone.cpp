@@ -64,38 +64,64 @@ class Cone : public Surface {
   }
 
  private:
-  /// The intervals of a t^2 + 2 b t + c <= 0. Between the roots if a > 0, outside of them if a < 0.
+  /// The intervals of a t^2 - 2 b t + c <= 0. Between the roots if a > 0, outside of them if a < 0.
   Intervals inside_side(const Ray& ray) const {
     const Vec3 f{ray.origin.x - center_.x, ray.origin.y - center_.y, slope_ * (ray.origin.z - tip_z_)};
     const Vec3 d{ray.direction.x, ray.direction.y, slope_ * ray.direction.z};
     const double a = d.x * d.x + d.y * d.y - d.z * d.z;
-    const double b = f.x * d.x + f.y * d.y - f.z * d.z;
+    const double b = f.z * d.z - f.x * d.x - f.y * d.y;
     const double c = f.x * f.x + f.y * f.y - f.z * f.z;
-    if (a == 0) return inside_linear(b, c);
     // b^2 - a c, as products of 2x2 minors, so that the squares of far origins do not cancel.
     const double xz = f.x * d.z - f.z * d.x;
     const double yz = f.y * d.z - f.z * d.y;
     const double xy = f.x * d.y - f.y * d.x;
     const double discriminant = xz * xz + yz * yz - xy * xy;
-    if (a > 0) {
-      if (!(discriminant >= 0)) return {};
-      const Roots roots = quadratic_roots(a, -b, c, discriminant);
-      return {{Interval{{roots.first, kSide}, {roots.second, kSide}}}, 1};
-    }
-    // A line steeper than the side always meets it; a negative discriminant is rounding at the tip.
-    const Roots roots = quadratic_roots(a, -b, c, std::max(discriminant, 0.0));
+
+    // Each coefficient is off by 12u of its terms at most, counting the slope's rounding; a minor is off by 8u |f| |d|,
+    // and the discriminant by 64u of that times the largest minor.
+    const double ff = dot(f, f), dd = dot(d, d);
+    const double minors = std::fabs(xz) + std::fabs(yz) + std::fabs(xy) + 0x1p-46 * std::sqrt(ff * dd);
+    const bool touches = std::fabs(discriminant) < 0x1p-46 * std::sqrt(ff * dd) * minors;
+    const bool runs_along = std::fabs(a) < 0x1p-46 * dd;
+    const bool starts_at_surface =
+        std::fabs(c) < 0x1p-20 * ff && !(std::fabs(c) + 0x1p-49 * ff < ray.t_min * std::fabs(b));
+    if (touches || runs_along || starts_at_surface) return exactly_inside_side(ray);
+    if (!(discriminant >= 0)) return {};
+    return inside_roots(a > 0, quadratic_roots(a, b, c, discriminant));
+  }
+
+  /// The same from coefficients without rounding, multiplied by the square of the tip's distance from the centre.
+  Intervals exactly_inside_side(const Ray& ray) const {
+    const ExactSum to_tip = ExactSum(center_.z) - tip_z_;
+    const ExactSum scale = to_tip * to_tip;
+    const ExactSum square = ExactSum().add_product(radius_, radius_);
+    const ExactSum fx = ExactSum(ray.origin.x) - center_.x;
+    const ExactSum fy = ExactSum(ray.origin.y) - center_.y;
+    const ExactSum fz = ExactSum(ray.origin.z) - tip_z_;
+    const auto& [dx, dy, dz] = ray.direction;
+    const ExactSum a = scale * ExactSum().add_product(dx, dx).add_product(dy, dy) - square * dz * dz;
+    const ExactSum b = square * fz * dz - scale * (fx * dx + fy * dy);
+    const ExactSum c = scale * (fx * fx + fy * fy) - square * fz * fz;
+    if (a.sign() == 0) return inside_linear(b, c);
+    const std::optional<Roots> roots = quadratic_roots(a, b, c);
+    if (!roots) return {};  // a > 0: a line steeper than the side always meets it
+    return inside_roots(a.sign() > 0, *roots);
+  }
+
+  static Intervals inside_roots(bool between, const Roots& roots) {
+    if (between) return {{Interval{{roots.first, kSide}, {roots.second, kSide}}}, 1};
     return {{Interval{{-kInfinity, kSide}, {roots.first, kSide}}, Interval{{roots.second, kSide}, {kInfinity, kSide}}},
             2};
   }
 
-  /// 2 b t + c <= 0, for a line parallel to the side.
-  static Intervals inside_linear(double b, double c) {
-    if (b == 0) {
-      if (!(c <= 0)) return {};
+  /// c - 2 b t <= 0, for a line parallel to the side.
+  static Intervals inside_linear(const ExactSum& b, const ExactSum& c) {
+    if (b.sign() == 0) {
+      if (c.sign() > 0) return {};
       return {{Interval{{-kInfinity, kSide}, {kInfinity, kSide}}}, 1};
     }
-    const Crossing at{-c / (2 * b), kSide};
-    return {{b > 0 ? Interval{{-kInfinity, kSide}, at} : Interval{at, {kInfinity, kSide}}}, 1};
+    const Crossing at{static_cast<double>(c.rounded() / (2 * b.rounded())), kSide};
+    return {{b.sign() < 0 ? Interval{{-kInfinity, kSide}, at} : Interval{at, {kInfinity, kSide}}}, 1};
   }
 
   Point3 center_;

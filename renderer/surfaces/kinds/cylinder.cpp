@@ -13,8 +13,7 @@ class Cylinder : public Surface {
   Cylinder(const Point3& center, double radius, double height) : center_(center), radius_(radius), half_(height / 2) {}
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters&) const override {
-    const Vec3 f = ray.origin - center_;
-    const std::optional<Interval> side = inside_radius({f.x, f.y, 0}, {ray.direction.x, ray.direction.y, 0}, radius_);
+    const std::optional<Interval> side = inside_radius(ray, center_, radius_, 2);
     const std::optional<Interval> slab = inside_slab(ray, center_.z, half_);
     if (!side || !slab) return std::nullopt;
     const std::optional<Interval> inside = intersection(*side, *slab);

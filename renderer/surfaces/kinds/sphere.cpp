@@ -13,7 +13,7 @@ class Sphere : public Surface {
   Sphere(const Point3& center, double radius) : center_(center), radius_(radius) {}
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters&) const override {
-    const std::optional<Interval> inside = inside_radius(ray.origin - center_, ray.direction, radius_);
+    const std::optional<Interval> inside = inside_radius(ray, center_, radius_, 3);
     if (!inside) return std::nullopt;
     const std::optional<Crossing> crossing = first_crossing({{*inside}, 1}, ray);
     if (!crossing) return std::nullopt;

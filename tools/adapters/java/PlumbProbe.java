@@ -143,6 +143,8 @@ public final class PlumbProbe {
       if (!Arrays.asList("surfaces", "bounds", "matrices", "average_positions", "closest", "any", "all").contains(ask))
         throw new Unsupported("the Java adapter does not answer '" + ask + "'");
       if (scene == null) throw new Refused("no scene has been loaded");
+      if (ask.equals("matrices"))
+        for (Leaf leaf : scene.leaves) leaf.showMatrixLayout();
       List<Object> list = new ArrayList<>();
       for (Leaf leaf : scene.leaves) {
         if (ask.equals("surfaces")) list.add(leaf.description());
@@ -447,10 +449,23 @@ public final class PlumbProbe {
       return matrices;
     }
 
+    /** To be called for all surfaces before matrices() is called for one. */
+    void showMatrixLayout() throws Exception {
+      for (String member : new String[] {"tMat", "tMatInv"}) {
+        Object matrix = member(member);
+        MatrixLayout.of(matrix.getClass()).learn(matrix);
+      }
+    }
+
+    private Object member(String name) throws Exception {
+      Object value = Members.get(surface, name);
+      if (value == null && !parts.isEmpty()) value = Members.get(parts.get(0), name);
+      if (value == null) throw new Refused(name + " of a " + surface.getClass().getName() + " is null");
+      return value;
+    }
+
     private double[] matrix(String member, int columns) throws Exception {
-      Object matrix = Members.get(surface, member);
-      if (matrix == null && !parts.isEmpty()) matrix = Members.get(parts.get(0), member);
-      if (matrix == null) throw new Refused(member + " of a " + surface.getClass().getName() + " is null");
+      Object matrix = member(member);
       MatrixLayout layout = MatrixLayout.of(matrix.getClass());
       double[] numbers = new double[3 * columns];
       for (int i = 0; i < numbers.length; i++) numbers[i] = layout.at(matrix, i / columns, i % columns);
@@ -881,8 +896,9 @@ public final class PlumbProbe {
     private static final Map<Class<?>, MatrixLayout> KNOWN = new HashMap<>();
 
     private final Numbers numbers;
-    /** Whether the class could not show its order, so that each matrix has to show it by its last row. */
-    private final boolean unsure;
+    /** Where the class cannot make a translation, the first matrix that holds one shows the order. */
+    private boolean unsure;
+    private boolean columnsFirst;
 
     private MatrixLayout(Numbers numbers, boolean unsure) {
       this.numbers = numbers;
@@ -895,16 +911,20 @@ public final class PlumbProbe {
     }
 
     double at(Object matrix, int row, int column) throws Exception {
-      boolean transposed = unsure && columnsFirst(matrix);
-      return transposed ? numbers.at(matrix, column, row) : numbers.at(matrix, row, column);
+      return columnsFirst ? numbers.at(matrix, column, row) : numbers.at(matrix, row, column);
     }
 
-    private boolean columnsFirst(Object matrix) throws Exception {
-      for (int i = 0; i < 3; i++)
-        if (numbers.at(matrix, i, 3) != 0) return false;
-      for (int i = 0; i < 3; i++)
-        if (numbers.at(matrix, 3, i) != 0) return true;
-      return false;
+    /** Learns the order of the class from a matrix that is not a linear one: its last row is 0 0 0 1. */
+    void learn(Object matrix) throws Exception {
+      boolean rows = false;
+      boolean columns = false;
+      for (int i = 0; unsure && i < 3; i++) {
+        rows |= numbers.at(matrix, i, 3) != 0;
+        columns |= numbers.at(matrix, 3, i) != 0;
+      }
+      if (rows == columns) return;
+      columnsFirst = columns;
+      unsure = false;
     }
 
     private static MatrixLayout find(Class<?> type) throws Exception {

@@ -92,9 +92,10 @@ plumb_corpus_record record_of(const FamilyCase& one, const Ray& ray, plumb_preci
   record.crossing_count = static_cast<std::uint32_t>(hit.crossings.size());
   for (std::size_t i = 0; i < std::min<std::size_t>(hit.crossings.size(), 4); ++i) {
     const ExactCrossing& c = hit.crossings[i];
-    const std::uint32_t flags = (c.free ? PLUMB_CORPUS_FREE : 0U) |
-                                (c.place == RangePlace::at_min ? PLUMB_CORPUS_AT_MIN : 0U) |
-                                (c.place == RangePlace::at_max ? PLUMB_CORPUS_AT_MAX : 0U);
+    std::uint32_t flags = 0;
+    if (c.free) flags |= PLUMB_CORPUS_FREE;
+    if (c.place == RangePlace::at_min) flags |= PLUMB_CORPUS_AT_MIN;
+    if (c.place == RangePlace::at_max) flags |= PLUMB_CORPUS_AT_MAX;
     record.crossings[i] = {c.t.below, c.t.above, c.u, c.v, flags, c.part};
   }
   record.condition = one.condition;

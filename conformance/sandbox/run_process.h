@@ -20,6 +20,8 @@ struct ProcessRequest {
   /// The folder whose total size is watched. Empty: none is, and only each single file is limited.
   std::filesystem::path writable_folder;
   RunLimits limits;
+  /// An open file that becomes the program's standard input; it stays the caller's. -1: /dev/null.
+  int input = -1;
 };
 
 /// Runs a program that is not trusted, to its end or to the first limit it passes, and kills everything that it

@@ -189,7 +189,8 @@ std::string describe(const Report& report, const ProcessRequest& request) {
 }  // namespace
 
 StartedProcess start_process(const ProcessRequest& request) {
-  FileDescriptor input = above_standard(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  FileDescriptor input = above_standard(request.input >= 0 ? ::fcntl(request.input, F_DUPFD_CLOEXEC, 3)
+                                                           : ::open("/dev/null", O_RDONLY | O_CLOEXEC));
   Pipe log = make_pipe();
   Pipe report = make_pipe();
   if (::fcntl(log.read.get(), F_SETFL, O_NONBLOCK) != 0) fail("cannot make a pipe");

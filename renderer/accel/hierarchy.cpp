@@ -10,12 +10,18 @@ namespace {
 double largest_coordinate(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
 }  // namespace
 
-SlabTest::SlabTest(const Ray& ray)
+SlabTest::SlabTest(const Ray& ray, double margin)
     : reciprocal{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z},
       negative{std::signbit(ray.direction.x), std::signbit(ray.direction.y), std::signbit(ray.direction.z)} {
-  const double margin = Hierarchy::kMargin * largest_coordinate(ray.origin);
-  origin_above = ray.origin + Vec3{margin, margin, margin};
-  origin_below = ray.origin + Vec3{-margin, -margin, -margin};
+  const double wider = margin * largest_coordinate(ray.origin);
+  origin_above = ray.origin + Vec3{wider, wider, wider};
+  origin_below = ray.origin + Vec3{-wider, -wider, -wider};
+}
+
+Bounds3 widened(const Bounds3& box, double margin) {
+  if (box.empty()) return box;
+  const double wider = margin * std::max(largest_coordinate(box.min), largest_coordinate(box.max));
+  return {box.min + Vec3{-wider, -wider, -wider}, box.max + Vec3{wider, wider, wider}};
 }
 
 namespace {
@@ -24,12 +30,6 @@ constexpr std::size_t kBins = 16;
 constexpr std::uint32_t kLargestLeaf = 16;
 /// What visiting a node costs, in primitive tests.
 constexpr double kNodeCost = 0.5;
-
-Bounds3 widened(const Bounds3& box) {
-  if (box.empty()) return box;
-  const double margin = Hierarchy::kMargin * std::max(largest_coordinate(box.min), largest_coordinate(box.max));
-  return {box.min + Vec3{-margin, -margin, -margin}, box.max + Vec3{margin, margin, margin}};
-}
 
 struct Bin {
   Bounds3 bounds;
@@ -48,7 +48,7 @@ class HierarchyBuilder {
  public:
   HierarchyBuilder(Hierarchy& hierarchy, std::span<const Bounds3> bounds) : hierarchy_(hierarchy) {
     for (std::uint32_t i = 0; i < bounds.size(); ++i) {
-      boxes_.push_back(widened(bounds[i]));
+      boxes_.push_back(widened(bounds[i], SlabTest::kMargin));
       centers_.push_back(boxes_.back().center());
       if (!bounds[i].empty()) hierarchy_.order_.push_back(i);
     }
@@ -141,6 +141,8 @@ class HierarchyBuilder {
   std::vector<Point3> centers_;
 };
 
-Hierarchy::Hierarchy(std::span<const Bounds3> bounds) { HierarchyBuilder(*this, bounds).build(); }
+Hierarchy::Hierarchy(std::span<const Bounds3> bounds, double origin_margin) : origin_margin_(origin_margin) {
+  HierarchyBuilder(*this, bounds).build();
+}
 
 }  // namespace plumb

@@ -14,12 +14,12 @@ namespace plumb {
 
 /// The reciprocal of a ray's direction, and the slab test with it.
 struct SlabTest {
-  explicit SlabTest(const Ray& ray);
+  explicit SlabTest(const Ray& ray, double margin = kMargin);
 
   /// Whether the ray, within [t_min, t_max], may pass through the closed box. Never wrongly false: the box is widened
-  /// by 2^-40 of the origin's largest coordinate, so that the rounding of a primitive's own test, which grows with the
-  /// distance, does not make it reach out of its box; the far distance by 1 + 2 gamma_3 [Ize 2013]; and the NaN of a
-  /// ray that runs within a face (0 times infinity) changes nothing.
+  /// by `margin` times the origin's largest coordinate, so that the rounding of a primitive's own test, which grows
+  /// with the distance, does not make it reach out of its box; the far distance by 1 + 2 gamma_3 [Ize 2013]; and the
+  /// NaN of a ray that runs within a face (0 times infinity) changes nothing.
   bool may_hit(const Bounds3& box, double t_min, double t_max) const {
     double near = t_min;
     double far = t_max;
@@ -34,6 +34,10 @@ struct SlabTest {
     return near <= far;
   }
 
+  /// 2^12 times the rounding of the coordinates themselves: well above the errors of the primitives' tests, and far too
+  /// little to cost anything.
+  static constexpr double kMargin = 0x1p-40;
+
   // gamma_3 = 3u / (1 - 3u) with u = 2^-53, so 1 + 2 gamma_3 lies between 1 + 6u and 1 + 8u, which is a double.
   static constexpr double kWiden = 1 + 8 * 0x1p-53;
 
@@ -43,13 +47,17 @@ struct SlabTest {
   std::array<bool, 3> negative;
 };
 
+/// The box, larger on every axis by `margin` times its largest coordinate; empty for an empty one.
+Bounds3 widened(const Bounds3& box, double margin);
+
 /// A binary bounding volume hierarchy over numbered boxes, built by the surface area heuristic over 16 bins
 /// [Wald 2007]. The readable one: later hierarchies are measured against it.
 class Hierarchy {
  public:
   /// Over primitives 0 .. bounds.size() - 1. Empty boxes are never visited. The boxes are widened on every axis by
-  /// kMargin of their largest coordinate, for the same reason as in SlabTest.
-  explicit Hierarchy(std::span<const Bounds3> bounds);
+  /// SlabTest::kMargin of their largest coordinate, for the same reason as in SlabTest, which gets `origin_margin`:
+  /// larger where the primitives' tests have larger errors.
+  explicit Hierarchy(std::span<const Bounds3> bounds, double origin_margin = SlabTest::kMargin);
 
   /// Calls visit(primitive) for each primitive whose box the ray may pass through, roughly near to far. `visit`
   /// may lower ray.t_max, which prunes what lies strictly beyond it, and stops the walk by returning true;
@@ -57,7 +65,7 @@ class Hierarchy {
   template <class Visit>
   bool walk(const Ray& ray, TraceCounters& counters, Visit&& visit) const {
     if (nodes_.empty()) return false;
-    const SlabTest slab(ray);
+    const SlabTest slab(ray, origin_margin_);
     std::array<std::uint32_t, kDeepest + 1> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
@@ -82,10 +90,6 @@ class Hierarchy {
   std::size_t node_count() const { return nodes_.size(); }
   int depth() const { return depth_; }
 
-  /// 2^12 times the rounding of the coordinates themselves: well above the errors of the primitives' tests, and far too
-  /// little to cost anything.
-  static constexpr double kMargin = 0x1p-40;
-
   /// No path is longer: below kBalanced levels nodes are halved by count instead.
   static constexpr std::size_t kDeepest = 96;
   static constexpr int kBalanced = 60;
@@ -102,6 +106,7 @@ class Hierarchy {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
+  double origin_margin_;
   int depth_ = 0;
 };
 

@@ -15,5 +15,6 @@ using Action = std::function<int()>;
 void add_render_command(CLI::App& app, Action& action);
 void add_diff_command(CLI::App& app, Action& action);
 void add_grade_command(CLI::App& app, Action& action);
+void add_probe_command(CLI::App& app, Action& action);
 
 }  // namespace plumb

@@ -144,7 +144,7 @@ TEST_F(ProbeCommandTest, AnyAndAllAgreeWithClosest) {
       first = std::min(first, hit.t);
       of_solids += hit.surface != 5;
     }
-    if (closest[i].hit()) EXPECT_EQ(first, closest[i].t);
+    EXPECT_EQ(first, closest[i].hit() ? closest[i].t : INFINITY);
     crossings_of_solids += of_solids;
   }
   EXPECT_GT(crossings_of_solids, 1000);

@@ -248,19 +248,19 @@ std::vector<Point3> ProbeSubject::average_positions() {
 
 double ProbeSubject::fresnel(double cosine, double from, double to) {
   require(contract_.fresnel, "Fresnel reflectance");
-  const std::array<double, 3> query[]{{cosine, from, to}};
+  const std::array<double, 3> query{cosine, from, to};
   double reflectance = 0;
-  ask_each({.ask = "fresnel", .fields = "\"queries\":[", .key = "fresnel"}, std::span<const std::array<double, 3>>(query), kChunk, append_numbers,
-           [&](const json& answer) { reflectance = finite_number(answer, "a reflectance"); });
+  ask_each({.ask = "fresnel", .fields = "\"queries\":[", .key = "fresnel"}, std::span(&query, 1), kChunk,
+           append_numbers, [&](const json& answer) { reflectance = finite_number(answer, "a reflectance"); });
   return reflectance;
 }
 
 std::optional<Vec3> ProbeSubject::refract(const Vec3& direction, const Vec3& normal, double from, double to) {
   require(contract_.refract, "refraction");
-  const std::array<double, 8> query[]{{direction.x, direction.y, direction.z, normal.x, normal.y, normal.z, from, to}};
+  const std::array<double, 8> query{direction.x, direction.y, direction.z, normal.x, normal.y, normal.z, from, to};
   std::optional<Vec3> refracted;
-  ask_each({.ask = "refract", .fields = "\"queries\":[", .key = "refract"}, std::span<const std::array<double, 8>>(query), kChunk, append_numbers,
-           [&](const json& answer) {
+  ask_each({.ask = "refract", .fields = "\"queries\":[", .key = "refract"}, std::span(&query, 1), kChunk,
+           append_numbers, [&](const json& answer) {
              if (!answer.is_null()) refracted = finite_triple<Vec3>(answer, "a refracted direction");
            });
   return refracted;

@@ -156,7 +156,7 @@ Matching match(std::vector<Keyed<std::size_t>> listed, std::vector<Keyed<ProbePl
   std::string text = "its surfaces are not those of the scene:";
   if (!missing.empty()) text += fmt::format(" it lacks {}, such as {}", missing.size(), to_string(missing[0].first));
   if (!superfluous.empty())
-    text += fmt::format("{} {} are not in the scene, such as {}", missing.empty() ? "" : "; ", superfluous.size(),
+    text += fmt::format("{} {} are not in the scene, such as {}", missing.empty() ? "" : ";", superfluous.size(),
                         to_string(superfluous[0]));
   throw SubjectFailure(Verdict::fail, "surfaces", text);
 }

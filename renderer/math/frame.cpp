@@ -5,7 +5,7 @@
 namespace plumb {
 namespace {
 
-/// By a power of two, so that nothing rounds and the square neither overflows nor vanishes.
+/// By a power of two, so that the square neither overflows nor vanishes, and nothing that shows is rounded.
 Vec3 scaled_to_one(const Vec3& v) {
   const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
   if (!(largest > 0) || std::isinf(largest)) return {NAN, NAN, NAN};

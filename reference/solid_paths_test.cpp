@@ -122,5 +122,28 @@ TEST(SolidPaths, ConeAgrees) {
   EXPECT_EQ(tally.most, 4);
 }
 
+TEST(SolidPaths, AgreeFarOutsideOfTheFiltersRange) {
+  // Lengths of 2^+-480 in the shape or in the matrix: the coefficients leave the range of doubles.
+  int hits = 0;
+  for (const ShapeKind kind : {ShapeKind::sphere, ShapeKind::box, ShapeKind::cylinder, ShapeKind::cone}) {
+    for (const SolidFamily& family : solid_families(kind)) {
+      std::mt19937_64 random(77);
+      for (int i = 0; i < 12; ++i) {
+        SolidCase c = family.make(random);
+        const double size = i % 2 == 0 ? 0x1p480 : 0x1p-480;
+        const AffineMatrix matrix = placements()[static_cast<std::size_t>(i) % 7].matrix * scaling({size, size, size});
+        Ray ray = world_ray(c, matrix);
+        if (i % 3 == 0) ray.direction = 0x1p-300 * ray.direction;
+        if (i % 3 == 1) ray.direction = 0x1p300 * ray.direction;
+        StageCounters counters;
+        const ExactHit hit = compare_paths(place(c, matrix), ray, counters);
+        ASSERT_FALSE(HasFailure()) << family.name << ", case " << i;
+        hits += !hit.crossings.empty();
+      }
+    }
+  }
+  EXPECT_GT(hits, 120);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -35,11 +35,11 @@ Rounded round_point(const RationalLine& line, const Event& t, const mpq_class& o
 }
 
 /// The coordinate j of n / |n|, n = at + t slope: against m by the sign of n_j^2 - m^2 |n|^2 at t, a polynomial.
-double round_coordinate(const RationalLine& line, const Event& t, const RationalNormal& n, std::size_t j) {
-  const int s = line.sign(t, n.at[j], n.slope[j]);
+double round_coordinate(const RationalLine& line, const Event& t, const WholeNormal& n, std::size_t j) {
+  const int s = line.sign(t, mpq_class(n.at[j]), mpq_class(n.slope[j]));
   const mpf_class near(line.approximate(t));
   mpf_class square(0, kApproximationBits), component(0, kApproximationBits);
-  mpq_class q0, q1, q2;
+  mpz_class q0, q1, q2;
   for (std::size_t k = 0; k < 3; ++k) {
     const mpf_class x = mpf_class(n.at[k], kApproximationBits) + mpf_class(n.slope[k], kApproximationBits) * near;
     square += x * x;
@@ -48,13 +48,17 @@ double round_coordinate(const RationalLine& line, const Event& t, const Rational
     q1 += 2 * n.at[k] * n.slope[k];
     q2 += n.slope[k] * n.slope[k];
   }
+  const mpz_class& at = n.at[j];
+  const mpz_class& slope = n.slope[j];
   const double guess = square > 0 ? mpf_class(component / sqrt(square)).get_d() : 0;
   return round_to_grid(guess, [&](double m) {
     const int sm = (m > 0) - (m < 0);
     if (s != sm) return s > sm ? 1 : -1;
-    const mpq_class m2 = mpq_class(m) * mpq_class(m);
-    return s * line.sign(t, n.at[j] * n.at[j] - m2 * q0, 2 * n.at[j] * n.slope[j] - m2 * q1,
-                         n.slope[j] * n.slope[j] - m2 * q2);
+    // m is a whole multiple of 2^-53.
+    const mpz_class scaled(m * 0x1p53);
+    const mpz_class m2 = scaled * scaled;
+    return s * line.sign(t, ((at * at) << 106) - m2 * q0, ((2 * at * slope) << 106) - m2 * q1,
+                         ((slope * slope) << 106) - m2 * q2);
   });
 }
 
@@ -65,7 +69,7 @@ ExactCrossing describe(const RationalLine& line, const Ray& ray, const Event& t,
   crossing.t_double = rounded.nearest;
   crossing.t_float = nearest_float(crossing.t);
   crossing.part = part;
-  const RationalNormal normal = line.normal(t, part);
+  const WholeNormal normal = line.normal(t, part);
   for (int j = 0; j < 3; ++j) {
     crossing.position[j] = round_point(line, t, mpq_class(ray.origin[j]), mpq_class(ray.direction[j])).nearest;
     crossing.normal[j] = round_coordinate(line, t, normal, static_cast<std::size_t>(j));

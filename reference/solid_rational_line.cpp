@@ -10,7 +10,22 @@ namespace {
 
 mpq_class square(const mpq_class& x) { return x * x; }
 
+mpz_class whole(const mpq_class& x, const mpz_class& multiple_of_denominator) {
+  return x.get_num() * (multiple_of_denominator / x.get_den());
+}
+
 mpq_class dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+WholeNormal multiplied_out(const RationalPoint& at, const RationalPoint& slope) {
+  mpz_class factor = 1;
+  for (std::size_t j = 0; j < 3; ++j) factor = lcm(factor, lcm(at[j].get_den(), slope[j].get_den()));
+  WholeNormal n;
+  for (std::size_t j = 0; j < 3; ++j) {
+    n.at[j] = whole(at[j], factor);
+    n.slope[j] = whole(slope[j], factor);
+  }
+  return n;
+}
 
 }  // namespace
 
@@ -75,14 +90,18 @@ RationalLine::RationalLine(const PlacedShape& placed, const RationalMatrix& inve
     const mpq_class half = mpq_class(shape.height) / 2;
     slabs_.push_back({2, shape.center.z - half, shape.center.z + half});
   }
-  c_ = side_at(origin_);
+  const mpq_class c = side_at(origin_);
   const mpq_class after = side_at(point_at(1));
   const mpq_class before = side_at(point_at(-1));
-  a_ = (after + before) / 2 - c_;
-  b_ = (after - before) / 2;
-  if (a_ == 0) return;
-  vertex_ = -b_ / (2 * a_);
-  distance_square_ = -polynomial(vertex_) / a_;
+  const mpq_class a = (after + before) / 2 - c;
+  const mpq_class b = (after - before) / 2;
+  const mpz_class factor = lcm(lcm(a.get_den(), b.get_den()), c.get_den());
+  a_ = whole(a, factor);
+  b_ = whole(b, factor);
+  c_ = whole(c, factor);
+  if (a == 0) return;
+  vertex_ = -b / (2 * a);
+  distance_square_ = square(vertex_) - c / a;
 }
 
 RationalPoint RationalLine::point_at(const mpq_class& t) const {
@@ -122,13 +141,13 @@ std::vector<Event> RationalLine::events() const {
   }
   const bool two_roots = a_ != 0 && distance_square_ > 0;
   if (a_ != 0 && distance_square_ == 0) fractions.push_back(vertex_);
-  if (a_ == 0 && b_ != 0) fractions.push_back(-c_ / b_);
+  if (a_ == 0 && b_ != 0) fractions.push_back(mpq_class(-c_) / b_);
   std::sort(fractions.begin(), fractions.end());
   fractions.erase(std::unique(fractions.begin(), fractions.end()), fractions.end());
 
   std::vector<Event> events;
   for (const mpq_class& x : fractions) {
-    if (two_roots && polynomial(x) == 0) continue;  // stands as a root
+    if (two_roots && polynomial_sign(x.get_num(), x.get_den()) == 0) continue;  // stands as a root
     events.push_back({-1, x});
   }
   for (int root = 0; two_roots && root < 2; ++root) {
@@ -140,25 +159,35 @@ std::vector<Event> RationalLine::events() const {
   return events;
 }
 
-int RationalLine::compare(const Event& t, const mpq_class& x) const {
-  if (t.root < 0) return cmp(t.value, x) < 0 ? -1 : cmp(t.value, x) > 0 ? 1 : 0;
-  const int at_x = sgn(polynomial(x)) * sgn(a_);
-  const bool left = x < vertex_;
+int RationalLine::polynomial_sign(const mpz_class& numerator, const mpz_class& denominator) const {
+  return sgn(mpz_class((a_ * numerator + b_ * denominator) * numerator + c_ * denominator * denominator));
+}
+
+int RationalLine::compare(const Event& t, const mpz_class& numerator, const mpz_class& denominator) const {
+  if (t.root < 0) return sgn(mpz_class(t.value.get_num() * denominator - numerator * t.value.get_den()));
+  const int at_x = polynomial_sign(numerator, denominator) * sgn(a_);
+  const bool left = sgn(mpz_class(2 * a_ * numerator + b_ * denominator)) * sgn(a_) < 0;
   if (at_x > 0) return left ? 1 : -1;
   const int own = t.root == 0 ? -1 : 1;
   if (at_x < 0) return own;
   return left == (t.root == 0) ? 0 : own;
 }
 
+int RationalLine::compare(const Event& t, const mpq_class& x) const { return compare(t, x.get_num(), x.get_den()); }
+
 int RationalLine::sign(const Event& t, const mpq_class& p0, const mpq_class& p1) const {
-  return p1 == 0 ? sgn(p0) : sgn(p1) * compare(t, -p0 / p1);
+  if (p1 == 0) return sgn(p0);
+  return sgn(p1) * compare(t, -sgn(p1) * p0.get_num() * p1.get_den(), p0.get_den() * abs(p1.get_num()));
 }
 
-int RationalLine::sign(const Event& t, const mpq_class& p0, const mpq_class& p1, const mpq_class& p2) const {
-  if (t.root < 0) return sgn(mpq_class((p2 * t.value + p1) * t.value + p0));
-  // The remainder on division by the side's polynomial.
-  const mpq_class quotient = p2 / a_;
-  return sign(t, p0 - quotient * c_, p1 - quotient * b_);
+int RationalLine::sign(const Event& t, const mpz_class& p0, const mpz_class& p1, const mpz_class& p2) const {
+  if (t.root < 0) {
+    const mpz_class& n = t.value.get_num();
+    const mpz_class& d = t.value.get_den();
+    return sgn(mpz_class((p2 * n + p1 * d) * n + p0 * d * d));
+  }
+  // The remainder on division by the side's polynomial, times a.
+  return sgn(a_) * sign(t, mpq_class(p0 * a_ - p2 * c_), mpq_class(p1 * a_ - p2 * b_));
 }
 
 std::vector<int> RationalLine::faces_at(const Event& t) const {
@@ -217,21 +246,20 @@ RationalPoint RationalLine::to_world(const RationalPoint& normal) const {
   return world;
 }
 
-RationalNormal RationalLine::normal(const Event& t, std::uint32_t part) const {
+WholeNormal RationalLine::normal(const Event& t, std::uint32_t part) const {
   const Shape& shape = placed_.shape;
   const auto along = [&](std::size_t axis, int sign) {
     RationalPoint n;
     n[axis] = sign;
-    return RationalNormal{to_world(n), {}};
+    return multiplied_out(to_world(n), {});
   };
   if (!has_side_) return along(part / 2, part % 2 == 0 ? -1 : 1);
   if (part != 0) return along(2, part == 1 ? -1 : 1);
-  RationalNormal n;
-  n.at = to_world(gradient_at(origin_));
-  n.slope = to_world(gradient_at(point_at(1)));
-  for (std::size_t j = 0; j < 3; ++j) n.slope[j] -= n.at[j];
+  const RationalPoint at = to_world(gradient_at(origin_));
+  RationalPoint slope = to_world(gradient_at(point_at(1)));
+  for (std::size_t j = 0; j < 3; ++j) slope[j] -= at[j];
   for (std::size_t j = 0; j < 3; ++j)
-    if (sign(t, n.at[j], n.slope[j]) != 0) return n;
+    if (sign(t, at[j], slope[j]) != 0) return multiplied_out(at, slope);
   return along(2, shape.kind == ShapeKind::cone && shape.tip_z < shape.center.z ? -1 : 1);
 }
 

@@ -31,9 +31,9 @@ struct Event {
   mpq_class value = 0;
 };
 
-/// An unnormalised outward normal in world space, at + t slope.
-struct RationalNormal {
-  RationalPoint at, slope;
+/// An unnormalised outward normal in world space, at + t slope, multiplied out to whole numbers.
+struct WholeNormal {
+  std::array<mpz_class, 3> at, slope;
 };
 
 /// A ray's line in the solid's frame, in fractions. The side is a polynomial a t^2 + b t + c (found from its values at
@@ -58,10 +58,10 @@ class RationalLine {
   int compare(const Event& t, const mpq_class& x) const;
   /// The sign of p0 + p1 t, and of p0 + p1 t + p2 t^2.
   int sign(const Event& t, const mpq_class& p0, const mpq_class& p1) const;
-  int sign(const Event& t, const mpq_class& p0, const mpq_class& p1, const mpq_class& p2) const;
+  int sign(const Event& t, const mpz_class& p0, const mpz_class& p1, const mpz_class& p2) const;
 
   mpf_class approximate(const Event& t) const;
-  RationalNormal normal(const Event& t, std::uint32_t part) const;
+  WholeNormal normal(const Event& t, std::uint32_t part) const;
   AlgebraicT algebraic(const Event& t) const;
 
  private:
@@ -76,7 +76,10 @@ class RationalLine {
   /// Half the gradient of side_at at the point, which is linear in it.
   RationalPoint gradient_at(const RationalPoint& p) const;
   RationalPoint to_world(const RationalPoint& normal) const;
-  mpq_class polynomial(const mpq_class& t) const { return (a_ * t + b_) * t + c_; }
+  /// compare with x = numerator / denominator, in any terms; the denominator positive.
+  int compare(const Event& t, const mpz_class& numerator, const mpz_class& denominator) const;
+  /// Of the side's polynomial at such an x.
+  int polynomial_sign(const mpz_class& numerator, const mpz_class& denominator) const;
   /// Fractions around t, at most 2^-bits of the scale of the roots apart.
   std::array<mpq_class, 2> around(const Event& t, unsigned bits) const;
 
@@ -85,7 +88,8 @@ class RationalLine {
   bool has_side_;
   std::vector<Slab> slabs_;
   RationalPoint origin_, direction_;
-  mpq_class a_, b_, c_;
+  /// Whole numbers, by a positive factor.
+  mpz_class a_, b_, c_;
   /// With a not zero: the vertex, and the square of the roots' distance from it.
   mpq_class vertex_, distance_square_;
 };

@@ -24,6 +24,36 @@ PlanePoint seen_along(const ShearedRay& s, const Vec3& v) {
   return {v[s.kx] - s.shear_x * v[s.kz], v[s.ky] - s.shear_y * v[s.kz]};
 }
 
+/// By which side of each edge the ray passes.
+enum class Side { misses, hits, unsure };
+
+template <class Real>
+Side side_of(const std::array<Real, 3>& weights, Real error) {
+  const auto [low, high] = std::minmax({weights[0], weights[1], weights[2]});
+  if (low < -error && high > error) return Side::misses;
+  return low > error || high < -error ? Side::hits : Side::unsure;
+}
+
+using WideVector = std::array<long double, 3>;
+
+WideVector wide_difference(const Point3& a, const Point3& b) {
+  return {static_cast<long double>(a.x) - b.x, static_cast<long double>(a.y) - b.y,
+          static_cast<long double>(a.z) - b.z};
+}
+
+/// d . (p x q)
+long double triple(const Vec3& d, const WideVector& p, const WideVector& q) {
+  return d.x * (p[1] * q[2] - p[2] * q[1]) + d.y * (p[2] * q[0] - p[0] * q[2]) + d.z * (p[0] * q[1] - p[1] * q[0]);
+}
+
+/// The weights in 64 bits, each as the triple product of the direction, a vertex and the edge from there: 2^11 closer
+/// to the edge than the sheared points.
+std::array<long double, 3> wide_weights(const Ray& ray, const Point3& a, const Point3& b, const Point3& c) {
+  return {triple(ray.direction, wide_difference(c, ray.origin), wide_difference(b, c)),
+          triple(ray.direction, wide_difference(a, ray.origin), wide_difference(c, a)),
+          triple(ray.direction, wide_difference(b, ray.origin), wide_difference(a, b))};
+}
+
 using ExactVector = std::array<ExactSum, 3>;
 
 ExactVector exact_difference(const Point3& a, const Point3& b) {
@@ -76,9 +106,7 @@ std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const P
   const PlanePoint pa = seen_along(sheared, to_a);
   const PlanePoint pb = seen_along(sheared, to_b);
   const PlanePoint pc = seen_along(sheared, to_c);
-  const double weight_a = cross(pc, pb);
-  const double weight_b = cross(pa, pc);
-  const double weight_c = cross(pb, pa);
+  std::array<double, 3> weights{cross(pc, pb), cross(pa, pc), cross(pb, pa)};
 
   // With m the largest coordinate from the origin, a sheared one is off by 6u m: u m by its difference, 3u m by that of
   // z, the shear and their product, 2u m by the sum of both, as |shear| <= 1. So a weight is off by 6u m times its four
@@ -88,10 +116,16 @@ std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const P
       std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pb.x) + std::fabs(pb.y) + std::fabs(pc.x) + std::fabs(pc.y);
   const double error = 0x1p-49 * m * (reach + 0x1p-48 * m);
   if (!(error <= kLargest)) return std::nullopt;  // NaN
-  const double low = std::min({weight_a, weight_b, weight_c});
-  const double high = std::max({weight_a, weight_b, weight_c});
-  if (low < -error && high > error) return std::nullopt;
-  if (low <= error && high >= -error) return exactly_intersect(ray, a, b, c);
+  Side side = side_of(weights, error);
+  if (side == Side::unsure) {
+    // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
+    const double edge = std::max({largest(b - a), largest(c - b), largest(a - c)});
+    const auto wide = wide_weights(ray, a, b, c);
+    side = side_of(wide, 0x1p-58L * largest(ray.direction) * m * edge);
+    for (std::size_t i = 0; i < 3; ++i) weights[i] = static_cast<double>(wide[i]);
+  }
+  if (side == Side::misses) return std::nullopt;
+  if (side == Side::unsure) return exactly_intersect(ray, a, b, c);
 
   const Vec3 edge_b = b - a;
   const Vec3 edge_c = c - a;
@@ -109,8 +143,8 @@ std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const P
 
   const double t = distance / facing;
   if (!ray.contains(t) || !std::isfinite(t)) return std::nullopt;
-  const double sum = weight_a + weight_b + weight_c;
-  return TriangleHit{t, weight_b / sum, weight_c / sum};
+  const double sum = weights[0] + weights[1] + weights[2];
+  return TriangleHit{t, weights[1] / sum, weights[2] / sum};
 }
 
 std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {

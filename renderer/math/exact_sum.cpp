@@ -100,7 +100,7 @@ double rounded_up(long double value) {
 }
 
 double rounded_up(const ExactSum& value) {
-  if (value.is_double()) return static_cast<double>(value.rounded());
+  if (value.is_single()) return static_cast<double>(value.rounded());
   return smallest(static_cast<double>(value.rounded()), [&](double x) { return (ExactSum(x) - value).sign() >= 0; });
 }
 

@@ -28,8 +28,8 @@ class ExactSum {
   int sign() const;
   /// The value in a 64-bit significand, off by less than 2^-62 of itself.
   long double rounded() const;
-  /// Whether the value is one double, or zero.
-  bool is_double() const { return count_ <= 1; }
+  /// Whether it is held as one double, or zero. Not every one that could be is.
+  bool is_single() const { return count_ <= 1; }
 
  private:
   void compress();

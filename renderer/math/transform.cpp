@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "renderer/math/affine_product.h"
 #include "renderer/math/exact_sum.h"
@@ -34,12 +33,12 @@ bool all_finite(const AffineMatrix& m) {
   return true;
 }
 
-/// The matrix with its rows and columns multiplied by powers of two, so that the largest number of each is near 1. Then
-/// no product in the inverse leaves the range of doubles.
+/// The matrix with its rows and first three columns multiplied by powers of two, so that the largest number of each is
+/// near 1. Then no product in the inverse leaves the range of doubles. What was taken out, as exponents of two, is in
+/// `row` and `column`.
 struct Levelled {
   AffineMatrix entries;
-  std::array<int, 3> row;     // what was taken out, as exponents of two
-  std::array<int, 4> column;  // the fourth is that of the offsets
+  std::array<int, 3> row, column;
 };
 
 /// 0 for zero.
@@ -52,15 +51,11 @@ Levelled levelled(const AffineMatrix& m) {
     column[c] = exponent(std::max({std::fabs(m[0][c]), std::fabs(m[1][c]), std::fabs(m[2][c])}));
     for (std::size_t r = 0; r < 3; ++r) entries[r][c] = std::ldexp(m[r][c], -column[c]);
   }
-  int largest_offset = std::numeric_limits<int>::min();
   for (std::size_t r = 0; r < 3; ++r) {
-    const auto& e = entries[r];
+    auto& e = entries[r];
     row[r] = exponent(std::max({std::fabs(e[0]), std::fabs(e[1]), std::fabs(e[2])}));
-    for (std::size_t c = 0; c < 3; ++c) entries[r][c] = std::ldexp(e[c], -row[r]);
-    if (m[r][3] != 0) largest_offset = std::max(largest_offset, exponent(m[r][3]) - row[r]);
+    for (std::size_t c = 0; c < 3; ++c) e[c] = std::ldexp(e[c], -row[r]);
   }
-  column[3] = std::max(largest_offset, -2000);  // without offsets any will do
-  for (std::size_t r = 0; r < 3; ++r) entries[r][3] = std::ldexp(m[r][3], -row[r] - column[3]);
   return result;
 }
 
@@ -84,13 +79,16 @@ AffineMatrix invert(const AffineMatrix& m) {
   };
   AffineMatrix inverse;
   for (std::size_t r = 0; r < 3; ++r) {
-    ExactSum offset;
+    const std::array<ExactSum, 3> adjugate{cofactor(0, r), cofactor(1, r), cofactor(2, r)};
+    int largest = -3000;  // the exponent of the largest offset that counts in this row, levelled
     for (std::size_t c = 0; c < 3; ++c) {
-      const ExactSum adjugate = cofactor(c, r);
-      inverse[r][c] = quotient(adjugate, level.column[r] + level.row[c]);
-      offset -= adjugate * level.entries[c][3];
+      inverse[r][c] = quotient(adjugate[c], level.column[r] + level.row[c]);
+      if (adjugate[c].sign() != 0 && m[c][3] != 0) largest = std::max(largest, exponent(m[c][3]) - level.row[c]);
     }
-    inverse[r][3] = quotient(offset, level.column[r] - level.column[3]);
+    ExactSum offset;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (adjugate[c].sign() != 0) offset -= adjugate[c] * std::ldexp(m[c][3], -level.row[c] - largest);
+    inverse[r][3] = quotient(offset, level.column[r] - largest);
   }
   if (!all_finite(inverse)) throw SingularTransform("the transform is singular within the range of doubles");
   return inverse;

@@ -1,56 +1,89 @@
 #include "renderer/surfaces/triangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "renderer/math/exact_sum.h"
 
 namespace plumb {
 namespace {
 
+constexpr double kLargest = std::numeric_limits<double>::max();
+
 struct PlanePoint {
   double x, y;
 };
 
-/// p x q, with the exact sign of its value. Rounding is monotone, so two rounded products that differ, differ the same
-/// way as the exact ones; where they are equal, the rounding errors, which fma gives exactly, decide. (Below 1e-290 the
-/// errors themselves may underflow.)
-double cross_with_exact_sign(const PlanePoint& p, const PlanePoint& q) {
-  const double left = p.x * q.y;
-  const double right = p.y * q.x;
-  if (left != right) return left - right;
-  return std::fma(p.x, q.y, -left) - std::fma(p.y, q.x, -right);
-}
+double cross(const PlanePoint& p, const PlanePoint& q) { return p.x * q.y - p.y * q.x; }
+
+double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 PlanePoint seen_along(const ShearedRay& s, const Vec3& v) {
   return {v[s.kx] - s.shear_x * v[s.kz], v[s.ky] - s.shear_y * v[s.kz]};
 }
 
-double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+/// By which side of each edge the ray passes.
+enum class Side { misses, hits, unsure };
 
-/// Whether t from the triangle's plane keeps the hit within some 2^-43 of the ray's way to the triangle: the errors of
-/// the normal, of both dot products, are within 2^-48 of these sizes.
-bool is_steep(const Vec3& edge_b, const Vec3& edge_c, const Vec3& direction, double normal_dot_direction) {
-  return std::fabs(normal_dot_direction) > 0x1p-6 * largest(edge_b) * largest(edge_c) * largest(direction);
+template <class Real>
+Side side_of(const std::array<Real, 3>& weights, Real error) {
+  const auto [low, high] = std::minmax({weights[0], weights[1], weights[2]});
+  if (low < -error && high > error) return Side::misses;
+  return low > error || high < -error ? Side::hits : Side::unsure;
 }
 
-/// p x q without rounding.
-ExactSum exact_cross(const PlanePoint& p, const PlanePoint& q) {
-  return ExactSum().add_product(p.x, q.y).add_product(-p.y, q.x);
+using WideVector = std::array<long double, 3>;
+
+WideVector wide_difference(const Point3& a, const Point3& b) {
+  return {static_cast<long double>(a.x) - b.x, static_cast<long double>(a.y) - b.y,
+          static_cast<long double>(a.z) - b.z};
 }
 
-/// The hit by the exact weights of the points seen along the ray, t as the mean of the vertices' own: never beyond
-/// them, where the plane's t may be anything.
-TriangleHit interpolated_hit(const ShearedRay& s, const PlanePoint (&seen)[3], const Vec3 (&to_vertex)[3]) {
-  long double weights[3];
-  long double sum = 0, weighted = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    weights[i] = exact_cross(seen[(i + 2) % 3], seen[(i + 1) % 3]).rounded();
-    sum += weights[i];
-    weighted += weights[i] * to_vertex[i][s.kz];
-  }
-  return {static_cast<double>(weighted / sum / s.ray.direction[s.kz]), static_cast<double>(weights[1] / sum),
-          static_cast<double>(weights[2] / sum)};
+/// d . (p x q)
+long double triple(const Vec3& d, const WideVector& p, const WideVector& q) {
+  return d.x * (p[1] * q[2] - p[2] * q[1]) + d.y * (p[2] * q[0] - p[0] * q[2]) + d.z * (p[0] * q[1] - p[1] * q[0]);
+}
+
+/// The weights in 64 bits, each as the triple product of the direction, a vertex and the edge from there: 2^11 closer
+/// to the edge than the sheared points.
+std::array<long double, 3> wide_weights(const Ray& ray, const Point3& a, const Point3& b, const Point3& c) {
+  return {triple(ray.direction, wide_difference(c, ray.origin), wide_difference(b, c)),
+          triple(ray.direction, wide_difference(a, ray.origin), wide_difference(c, a)),
+          triple(ray.direction, wide_difference(b, ray.origin), wide_difference(a, b))};
+}
+
+using ExactVector = std::array<ExactSum, 3>;
+
+ExactVector exact_difference(const Point3& a, const Point3& b) {
+  return {ExactSum(a.x) - b.x, ExactSum(a.y) - b.y, ExactSum(a.z) - b.z};
+}
+
+ExactVector cross(const ExactVector& p, const ExactVector& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
+ExactSum dot(const ExactVector& p, const ExactVector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+
+/// The hit without rounding, up to its numbers at the end: the weights are triple products with the direction, which
+/// are those of the sheared points times direction[kz].
+std::optional<TriangleHit> exactly_intersect(const Ray& ray, const Point3& a, const Point3& b, const Point3& c) {
+  const ExactVector to_a = exact_difference(a, ray.origin);
+  const ExactVector to_b = exact_difference(b, ray.origin);
+  const ExactVector to_c = exact_difference(c, ray.origin);
+  const ExactVector direction{ray.direction.x, ray.direction.y, ray.direction.z};
+  const ExactVector c_cross_b = cross(to_c, to_b);
+  const ExactSum weights[] = {dot(direction, c_cross_b), dot(direction, cross(to_a, to_c)),
+                              dot(direction, cross(to_b, to_a))};
+  const auto [low, high] = std::minmax({weights[0].sign(), weights[1].sign(), weights[2].sign()});
+  if (low == -high) return std::nullopt;  // on different sides, or all zero
+  const long double sum = (weights[0] + weights[1] + weights[2]).rounded();
+  const TriangleHit hit{static_cast<double>(dot(to_a, c_cross_b).rounded() / sum),
+                        static_cast<double>(weights[1].rounded() / sum),
+                        static_cast<double>(weights[2].rounded() / sum)};
+  if (!ray.contains(hit.t) || !std::isfinite(hit.t)) return std::nullopt;
+  return hit;
 }
 
 }  // namespace
@@ -67,26 +100,51 @@ ShearedRay::ShearedRay(const Ray& of) : ray(of) {
 std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                               const Point3& c) {
   const Ray& ray = sheared.ray;
-  const Vec3 to_vertex[] = {a - ray.origin, b - ray.origin, c - ray.origin};
-  const PlanePoint seen[] = {seen_along(sheared, to_vertex[0]), seen_along(sheared, to_vertex[1]),
-                             seen_along(sheared, to_vertex[2])};
-  const double weight_a = cross_with_exact_sign(seen[2], seen[1]);
-  const double weight_b = cross_with_exact_sign(seen[0], seen[2]);
-  const double weight_c = cross_with_exact_sign(seen[1], seen[0]);
-  const bool some_negative = weight_a < 0 || weight_b < 0 || weight_c < 0;
-  const bool some_positive = weight_a > 0 || weight_b > 0 || weight_c > 0;
-  if (some_negative == some_positive) return std::nullopt;  // on different sides, or all zero
+  const Vec3 to_a = a - ray.origin;
+  const Vec3 to_b = b - ray.origin;
+  const Vec3 to_c = c - ray.origin;
+  const PlanePoint pa = seen_along(sheared, to_a);
+  const PlanePoint pb = seen_along(sheared, to_b);
+  const PlanePoint pc = seen_along(sheared, to_c);
+  std::array<double, 3> weights{cross(pc, pb), cross(pa, pc), cross(pb, pa)};
+
+  // With m the largest coordinate from the origin, a sheared one is off by 6u m: u m by its difference, 3u m by that of
+  // z, the shear and their product, 2u m by the sum of both, as |shear| <= 1. So a weight is off by 6u m times its four
+  // coordinates, 4u m times them for its own roundings, and 72 (u m)^2.
+  const double m = std::max({largest(to_a), largest(to_b), largest(to_c)});
+  const double reach =
+      std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pb.x) + std::fabs(pb.y) + std::fabs(pc.x) + std::fabs(pc.y);
+  const double error = 0x1p-49 * m * (reach + 0x1p-48 * m);
+  if (!(error <= kLargest)) return std::nullopt;  // NaN
+  Side side = side_of(weights, error);
+  if (side == Side::unsure) {
+    // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
+    const double edge = std::max({largest(b - a), largest(c - b), largest(a - c)});
+    const auto wide = wide_weights(ray, a, b, c);
+    side = side_of(wide, 0x1p-58L * largest(ray.direction) * m * edge);
+    for (std::size_t i = 0; i < 3; ++i) weights[i] = static_cast<double>(wide[i]);
+  }
+  if (side == Side::misses) return std::nullopt;
+  if (side == Side::unsure) return exactly_intersect(ray, a, b, c);
 
   const Vec3 edge_b = b - a;
   const Vec3 edge_c = c - a;
   const Vec3 normal = cross(edge_b, edge_c);
   const double facing = dot(normal, ray.direction);
-  const double sum = weight_a + weight_b + weight_c;
-  const TriangleHit hit = is_steep(edge_b, edge_c, ray.direction, facing)
-                              ? TriangleHit{dot(normal, to_vertex[0]) / facing, weight_b / sum, weight_c / sum}
-                              : interpolated_hit(sheared, seen, to_vertex);
-  if (!ray.contains(hit.t) || !std::isfinite(hit.t)) return std::nullopt;
-  return hit;
+  const double distance = dot(normal, to_a);
+  // The normal is off by 8u of the edges' product. Where the plane is steep, the hit is then within some 2^-42 of the
+  // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
+  const double size = largest(edge_b) * largest(edge_c);
+  const bool is_steep = std::fabs(facing) > 0x1p-6 * size * largest(ray.direction);
+  const double distance_error = 0x1p-47 * size * largest(to_a);
+  const bool starts_on_it =
+      std::fabs(distance) < distance_error && !(std::fabs(distance) + distance_error < ray.t_min * std::fabs(facing));
+  if (!is_steep || starts_on_it) return exactly_intersect(ray, a, b, c);
+
+  const double t = distance / facing;
+  if (!ray.contains(t) || !std::isfinite(t)) return std::nullopt;
+  const double sum = weights[0] + weights[1] + weights[2];
+  return TriangleHit{t, weights[1] / sum, weights[2] / sum};
 }
 
 std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {

@@ -28,11 +28,12 @@ struct TriangleHit {
 /// Both sides count; edges and vertices belong to the triangle. A ray in the triangle's plane and a triangle without
 /// area are missed, and so is every triangle by a ray with NaN.
 ///
-/// Watertight [Woop 2013]: seen along the ray, each vertex is a point of a plane, rounded alike for every triangle that
-/// shares it, and on which side of an edge the ray passes is decided exactly between those points. So no ray slips
-/// between neighbours, at a vertex neither. t is taken from the triangle's own plane, with its edges as differences,
-/// which is more accurate than the same products, unless the ray grazes that plane, or the triangle is a needle: then t
-/// is interpolated, and the hit is within a few roundings of the triangle all the same.
+/// The class is that of the ray and the triangle as given, so no ray slips between neighbours, at a vertex neither.
+/// Seen along the ray, each vertex is a point of a plane [Woop 2013]; on which side of an edge the ray passes is
+/// decided there, where the error bound allows, and else without rounding. t is taken from the triangle's own plane,
+/// with its edges as differences, which is more accurate than the same products; without rounding where the ray grazes
+/// that plane, or the triangle is a needle, or the ray starts in it. The exact part wants every number to be zero or
+/// within [2^-250, 2^250].
 std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                               const Point3& c);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <map>
 
 #include "conformance/families/hardness_for_tests.h"
@@ -139,6 +140,25 @@ TEST(LeakRays, DependOnSeedAndNumberAlone) {
   for (std::size_t i = 0; i < 10; ++i) {
     EXPECT_EQ(few[i].direction, more[i].direction);
     EXPECT_NE(few[i].direction, other[i].direction);
+  }
+}
+
+/// FNV-1a over the bits of the rays at each closed surface.
+TEST(LeakRays, HaveTheSameBitsEverywhere) {
+  const std::uint64_t golden[] = {0x2f26c6e23100210bu, 0xbc33395fb86aa864u};
+  for (const plumb_precision precision : kPrecisions) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](double x) {
+      for (int byte = 0; byte < 8; ++byte) {
+        hash = (hash ^ ((std::bit_cast<std::uint64_t>(x) >> (8 * byte)) & 0xff)) * 0x100000001b3u;
+      }
+    };
+    for (const ClosedSurface& closed : all_closed(precision)) {
+      for (const Ray& ray : leak_rays(closed, 1, 40, precision)) {
+        for (int axis = 0; axis < 3; ++axis) add(ray.origin[axis]), add(ray.direction[axis]);
+      }
+    }
+    EXPECT_EQ(hash, golden[precision == PLUMB_FLOAT ? 0 : 1]) << std::hex << "0x" << hash;
   }
 }
 

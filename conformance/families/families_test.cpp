@@ -136,7 +136,7 @@ constexpr Golden kGolden[] = {
     {"M2", 0x36279d0022c11b18u, 0x62c1520072a74138u},  {"M3", 0x8c35833cf4e2eb5au, 0xd812c2915b672b3u},
     {"M4", 0xaff49853a5eaf8dfu, 0x6d39c485a1b1f294u},  {"S0", 0x4be5bfbdc6c5d5dau, 0x5e7f30789d74dee6u},
     {"S1", 0x342ee941b55f9c0au, 0xa899db33afa63a15u},  {"S2", 0x4d8d80d43168693u, 0xb37355d8b9dadf8cu},
-    {"S3", 0xa8ad75d533702290u, 0x9d62dff4e68a59d6u},  {"S4", 0xe0e8aa9b617ac3cbu, 0xdd76f6c754a73954u},
+    {"S3", 0x9ff423b22ba0db81u, 0x39b2160fd1975a1bu},  {"S4", 0xe0e8aa9b617ac3cbu, 0xdd76f6c754a73954u},
     {"S5", 0x28f0be156aff9e65u, 0xf5eabf564c83b76du},  {"T0", 0x61892ed0a139f239u, 0x7e74c866689e47f7u},
     {"T1", 0xfb2d98d7d1d7836cu, 0x6abdd5215d45a944u},  {"T2", 0xf5c26fbd69323c61u, 0x83b973a8202447b9u},
     {"T3", 0x86cba16509007d40u, 0x5405e4a57594dd16u},  {"T4", 0xb8a48316c8db028du, 0x1186ce02cd2b7095u},

@@ -15,8 +15,9 @@ FamilyCase exact_tangent_case(Random& random, const Rounding& rounded) {
   std::vector<Ray> rays;
   while (rays.size() < kRaysPerCase) {
     const std::size_t row = random.below(3);
+    const std::size_t other = (row + 1 + random.below(2)) % 3;
     const Vec3 out = random.sign() * times * turn.rows[row];
-    const Vec3 along = random.sign() * turn.rows[(row + 1 + random.below(2)) % 3];
+    const Vec3 along = random.sign() * turn.rows[other];
     const Vec3 origin = center + out - double(random.integer(1, 8)) * along;
     rays.push_back({to_point(origin), along});
   }

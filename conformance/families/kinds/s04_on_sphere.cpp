@@ -17,7 +17,8 @@ Start exact_start(Random& random, const Rounding& rounded) {
   const Vec3 center = lattice_vector(random, rounded.pick(0x1p12, 0x1p30));
   Start start{sphere_of(to_point(center), times * turn.length), {}};
   while (start.origins.size() < kRaysPerCase) {
-    const Vec3 out = random.sign() * times * turn.rows[random.below(3)];
+    const std::size_t row = random.below(3);
+    const Vec3 out = random.sign() * times * turn.rows[row];
     start.origins.push_back(to_point(center + out));
   }
   return start;

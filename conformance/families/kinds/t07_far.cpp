@@ -13,9 +13,11 @@ FamilyCase far_case(Random& random, const Rounding& rounded) {
   const Vertices triangle = ordinary_triangle(random, rounded, to_point(offset * way), size);
   std::vector<Ray> rays;
   while (rays.size() < kRaysPerCase) {
-    const Point3 target = any_point(random, triangle);
     const Point3 origin = facing_origin(random, triangle, size, rounded);
-    rays.push_back(ray_to(origin, target, rounded));
+    // Seen from the origin, where the target keeps the digits that it would lose so far from zero.
+    const Vertices seen{to_point(triangle[0] - origin), to_point(triangle[1] - origin), to_point(triangle[2] - origin)};
+    const Ray ray = ray_to({}, any_point(random, seen), rounded);
+    rays.push_back({origin, ray.direction});
   }
   return triangle_case(triangle, std::move(rays), rounded);
 }

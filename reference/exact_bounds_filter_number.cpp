@@ -75,8 +75,7 @@ FilterNumber operator/(const FilterNumber& a, const FilterNumber& b) {
   const double second = remainder.hi_ / b.hi_;
   const Pair quotient = exact_sum(first, second);
   const FilterNumber rest = remainder - second * b;
-  return {quotient.hi, quotient.lo,
-          rest.most() / least * FilterNumber::kSlack + (rest.most() > 0 ? FilterNumber::kTiny : 0)};
+  return {quotient.hi, quotient.lo, FilterNumber::error_of_quotient(rest.most(), least)};
 }
 
 FilterNumber sqrt(const FilterNumber& a) {
@@ -88,7 +87,7 @@ FilterNumber sqrt(const FilterNumber& a) {
   const Pair root = exact_sum(first, remainder.hi_ / (2 * first));
   const FilterNumber result(root.hi, root.lo, 0);
   const FilterNumber rest = a - result * result;
-  return {root.hi, root.lo, rest.most() / root.hi * FilterNumber::kSlack};
+  return {root.hi, root.lo, FilterNumber::error_of_quotient(rest.most(), root.hi)};
 }
 
 FilterNumber max(const FilterNumber& a, const FilterNumber& b) {

@@ -24,6 +24,9 @@ class FilterNumber {
 
   bool exact() const { return error_ == 0; }
   double approximation() const { return hi_; }
+  /// The true value is within `error` of approximation + correction.
+  double correction() const { return lo_; }
+  double error() const { return error_; }
   /// The smallest double that is not below the true value, if the bound tells.
   std::optional<double> round_up() const;
 
@@ -48,6 +51,10 @@ class FilterNumber {
   /// Bounds on the magnitude of the true value.
   double most() const { return (std::fabs(hi_) + error_) * kSlack; }
   double least() const { return std::fabs(hi_) / kSlack - error_ * kSlack; }
+  /// What remains over the divisor; more than zero also where that underflows.
+  static double error_of_quotient(double rest, double divisor) {
+    return rest == 0 ? 0 : rest / divisor * kSlack + kTiny;
+  }
 
   double hi_ = 0, lo_ = 0, error_ = 0;
 };

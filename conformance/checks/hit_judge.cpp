@@ -31,6 +31,27 @@ double largest_distance(const PlacedShape& shape, const Point3& origin) {
   return largest;
 }
 
+/// The solid larger (or, for a negative `by`, smaller) by a length on all sides; nothing where none is left. Triangles
+/// stay.
+std::optional<Shape> resized(Shape shape, double by) {
+  shape.radius += by;
+  shape.height += 2 * by;
+  for (int axis = 0; axis < 3; ++axis) {
+    shape.min[axis] -= by;
+    shape.max[axis] += by;
+    if (shape.kind == ShapeKind::box && shape.min[axis] > shape.max[axis]) return std::nullopt;
+  }
+  const bool is_round = shape.kind != ShapeKind::box && !is_flat(shape.kind);
+  if (is_round && (shape.radius < 0 || shape.height < 0)) return std::nullopt;
+  return shape;
+}
+
+/// The farthest that a point of the shape lies from the ray's origin, in object space, along an axis.
+double object_distance(const PlacedShape& placed, const Ray& ray) {
+  const Transform world_from_object(placed.world_from_object);
+  return largest_distance({placed.shape}, world_from_object.inverse()(ray.origin));
+}
+
 bool is_identity(const AffineMatrix& matrix) { return matrix == identity_matrix(); }
 
 }  // namespace
@@ -96,6 +117,15 @@ bool within_rounding(const PlacedShape& shape, const Ray& ray, const Contract& c
     if (edge_margin(ray, a, b, c, u) < kBand) return true;
   }
   const double by = kBand * u * condition;
+  const auto right_for_size = [&](double change) {
+    const std::optional<Shape> shape_then = resized(shape.shape, change);
+    const ExactHit truth = shape_then ? exact_hit({*shape_then, shape.world_from_object}, ray) : ExactHit{};
+    return judge_answer(truth, ray, shape.shape.kind, contract, answer).fault == AnswerFault::none;
+  };
+  if (!is_flat(shape.shape.kind)) {
+    const double length_by = by * object_distance(shape, ray);
+    if (right_for_size(length_by) || right_for_size(-length_by)) return true;
+  }
   const double origin_by = by * largest_distance(shape, ray.origin);
   const double direction_by = by * length(ray.direction);
   const double t_by = origin_by / length(ray.direction);

@@ -49,8 +49,9 @@ double unit_roundoff(plumb_precision precision);
 /// Whether an answer that is wrong for this ray is right for one that rounding cannot tell from it: a triangle's edge
 /// passed within 16 u |d| |s| |e| (edge_margin), or a ray whose origin is moved along an axis by 16 u times the largest
 /// distance from the origin to the shape, whose direction by 16 u of its length, or whose range by 16 u of its ends and
-/// as much as the origin, all times `condition`. The factor 16 covers the longest chain of operations of the usual
-/// formulas (Moller-Trumbore: 8 roundings a term, [Shewchuk 1997]).
+/// as much as the origin, all times `condition`. A solid may also be larger or smaller by as much as the origin is
+/// moved (in object space), as what has no thickness is missed by every ray that is moved. The factor 16 covers the
+/// longest chain of operations of the usual formulas (Moller-Trumbore: 8 roundings a term, [Shewchuk 1997]).
 bool within_rounding(const PlacedShape& shape, const Ray& ray, const Contract& contract, double condition,
                      const SubjectHit& answer);
 

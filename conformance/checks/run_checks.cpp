@@ -74,6 +74,8 @@ CheckResult ask_check(const CheckKind& check, std::span<Subject* const> doors, c
   if (check.probe_first) std::ranges::reverse(order);
   CheckResult result;
   for (Subject* door : order) {
+    for (Subject* other : order)
+      if (other != door) other->rest();
     result = run_check(check, *door, options);
     if (result.verdict != Verdict::unsupported) break;
   }

@@ -14,8 +14,8 @@ namespace plumb {
 /// naming the nearest id, if none matches.
 std::vector<const CheckKind*> selected_checks(std::string_view filter);
 
-/// Asks one check at the first of a subject's doors that can answer (by CheckKind::probe_first from the last on).
-/// Exceptions of the subject become verdicts.
+/// Asks one check, with the other doors at rest, at the first of a subject's doors that can answer (by
+/// CheckKind::probe_first from the last on). Exceptions of the subject become verdicts.
 CheckResult ask_check(const CheckKind& check, std::span<Subject* const> doors, const CheckOptions& options);
 
 struct ChecksRequest {

@@ -89,6 +89,11 @@ auto CheckedKernel::watched(Ask ask) {
   }
 }
 
+void CheckedKernel::rest() {
+  loaded_ = false;
+  kernel_->reset();
+}
+
 void CheckedKernel::load(const SubjectScene& scene) {
   loaded_ = false;
   const KernelScene asked = supported(scene);

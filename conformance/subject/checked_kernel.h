@@ -14,6 +14,7 @@ class CheckedKernel : public Subject {
   const std::string& name() const override { return kernel_->facts().name; }
   std::string description() const override { return kernel_->facts().description; }
   const Contract& contract() const override { return contract_; }
+  void rest() override;
   void load(const SubjectScene& scene) override;
   std::vector<SubjectHit> closest(std::span<const Ray> rays) override;
   std::vector<std::uint8_t> any(std::span<const Ray> rays) override;

@@ -88,6 +88,13 @@ auto ProbeSubject::guarded(Act act) {
   }
 }
 
+void ProbeSubject::rest() {
+  if (line_) line_->abandon();
+  line_.reset();
+  loaded_ = false;
+  places_.clear();
+}
+
 void ProbeSubject::start() {
   if (line_) return;
   guarded([&] {

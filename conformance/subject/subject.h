@@ -88,6 +88,9 @@ class Subject {
   /// file.
   virtual double pace() const { return 1; }
 
+  /// Ends whatever process the subject holds, so that another may run; the next load starts it afresh.
+  virtual void rest() {}
+
   /// Replaces the scene that is asked about.
   virtual void load(const SubjectScene& scene) = 0;
   virtual std::vector<SubjectHit> closest(std::span<const Ray> rays) = 0;

@@ -1,12 +1,17 @@
 // A kernel that does wrong: each of its ways has its verdict, and the next load works.
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <fstream>
+#include <optional>
 
+#include "conformance/sandbox/process_tree.h"
 #include "conformance/subject/kernel_subject.h"
 #include "conformance/subject/testing/wrong_kernel.h"
 #include "renderer/math/input_error.h"
@@ -141,9 +146,9 @@ TEST_F(KernelFailures, AnEndOfTheProcessIsAFailure) {
 
 TEST_F(KernelFailures, AHangIsATimeout) {
   KernelOptions options;
-  options.seconds = 0.3;
+  options.seconds = 1.5;  // time for a host with sanitizers to start
   KernelSubject subject(kWrongKernel, options);
-  const Case cases[] = {{Wrong::hang, Verdict::timeout, "wall_time", "0.3"}};
+  const Case cases[] = {{Wrong::hang, Verdict::timeout, "wall_time", "1.5"}};
   const auto start = std::chrono::steady_clock::now();
   expect_each(subject, cases, [&](std::span<const Ray> rays) { subject.closest(rays); });
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30)) << "nobody waited for it";
@@ -258,8 +263,8 @@ TEST_F(KernelFailures, ALibraryThatFailsWhereItIsLoadedIsAFailure) {
   expect_failure([] { KernelSubject subject(kWrongKernel); }, Verdict::crash, "signal", "11");
   ::setenv("PLUMB_WRONG_KERNEL", "hang", 1);
   KernelOptions options;
-  options.seconds = 0.2;
-  expect_failure([&] { KernelSubject subject(kWrongKernel, options); }, Verdict::timeout, "wall_time", "0.2");
+  options.seconds = 0.5;
+  expect_failure([&] { KernelSubject subject(kWrongKernel, options); }, Verdict::timeout, "wall_time", "0.5");
 }
 
 TEST_F(KernelFailures, ALibraryThatIsExchangedMeanwhileIsNoticed) {
@@ -292,6 +297,35 @@ TEST_F(KernelFailures, WhatTheContractExcludesIsNotAsked) {
   small.load(two_triangles());
   EXPECT_THROW(small.closest(std::vector<Ray>{{{101, 0, 0}, {0, 0, 1}}}), UnsupportedBySubject);
   EXPECT_THROW(small.load(sphere_of(Wrong::crash)), UnsupportedBySubject) << "its radius is 101";
+}
+
+TEST_F(KernelFailures, TheHostEndsWithWhoAskedIt) {
+  std::array<int, 2> ready;
+  ASSERT_EQ(::pipe(ready.data()), 0);
+  const pid_t asker = ::fork();
+  if (asker == 0) {
+    KernelSubject subject(kWrongKernel);
+    [[maybe_unused]] const ssize_t written = ::write(ready[1], "!", 1);
+    ::sleep(100);
+    ::_exit(0);
+  }
+  ::close(ready[1]);
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  ::close(ready[0]);
+  const std::string number = std::to_string(asker);
+  pid_t host = 0;
+  std::ifstream("/proc/" + number + "/task/" + number + "/children") >> host;
+  ASSERT_GT(host, 0);
+  const auto is_there = [&] {
+    const std::optional<ProcessStat> process = read_process_stat(host);
+    return process && process->state != 'Z';
+  };
+  EXPECT_TRUE(is_there());
+  ::kill(asker, SIGKILL);
+  ASSERT_EQ(::waitpid(asker, nullptr, 0), asker);
+  for (int i = 0; i < 10000 && is_there(); ++i) ::usleep(1000);
+  EXPECT_FALSE(is_there());
 }
 
 TEST_F(KernelFailures, AHostThatIsNotThereIsNoFaultOfTheKernel) {

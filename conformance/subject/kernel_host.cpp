@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <optional>
 
@@ -109,6 +110,11 @@ void serve(KernelCaller& kernel, int line) {
   send_all(line, answer.finish());
 }
 
+/// A crash shall end the process with its signal, also where a sanitizer has put a handler that exits instead.
+void let_signals_end_the_process() {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);
+}
+
 std::optional<KernelCaller> loaded(const std::filesystem::path& library, int line) {
   try {
     return std::optional<KernelCaller>(std::in_place, library);
@@ -127,6 +133,7 @@ std::optional<KernelCaller> loaded(const std::filesystem::path& library, int lin
 
 int run_kernel_host(const std::filesystem::path& library, int descriptor) {
   try {
+    let_signals_end_the_process();
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const FileDescriptor line = moved_away(descriptor);
     std::optional<KernelCaller> kernel = loaded(library, line.get());

@@ -28,7 +28,8 @@ std::unique_ptr<Subject> probe(std::vector<std::string> command) {
 
 /// The tracer of ours has both doors: as a kernel it is given matrices and doubles, as a probe scenes.
 OpenedSubject open_own() {
-  OpenedSubject opened{.id = "plumb"};
+  OpenedSubject opened;
+  opened.id = "plumb";
   opened.doors.push_back(std::make_unique<KernelSubject>(shipped_kernel("plumb")));
   opened.doors.push_back(probe({fs::read_symlink("/proc/self/exe").string(), "probe"}));
   return opened;
@@ -50,7 +51,8 @@ OpenedSubject open_subject(const SubjectArguments& arguments) {
   if (!arguments.probe.empty()) {
     if (!arguments.subject.empty())
       throw InputError({}, "both a subject ('" + arguments.subject + "') and --probe are given, expected one of them");
-    OpenedSubject opened{.id = fs::path(arguments.probe.front()).filename().string()};
+    OpenedSubject opened;
+    opened.id = fs::path(arguments.probe.front()).filename().string();
     opened.doors.push_back(probe(arguments.probe));
     return opened;
   }
@@ -59,7 +61,8 @@ OpenedSubject open_subject(const SubjectArguments& arguments) {
     throw InputError(
         {}, "nothing to check, expected plumb, a shipped kernel, a .so, a folder with --suite, or --probe COMMAND");
   if (subject == "plumb") return open_own();
-  OpenedSubject opened{.id = fs::path(subject).stem().string()};
+  OpenedSubject opened;
+  opened.id = fs::path(subject).stem().string();
   opened.doors.push_back(
       std::make_unique<KernelSubject>(is_library(subject) ? fs::path(subject) : shipped_kernel(subject)));
   return opened;

@@ -8,6 +8,7 @@
 #include "conformance/checks/class_question.h"
 #include "conformance/checks/describe.h"
 #include "conformance/families/random.h"
+#include "conformance/families/rounding.h"
 
 namespace plumb {
 namespace {
@@ -26,11 +27,8 @@ struct Counts {
 
 Point3 random_point(Random& random, const Contract& contract, double size) {
   Point3 p;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double x = random.between(-size, size);
-    p[axis] = contract.precision == PLUMB_FLOAT || contract.float_meshes ? static_cast<float>(x) : x;
-  }
-  return p;
+  for (int axis = 0; axis < 3; ++axis) p[axis] = random.between(-size, size);
+  return Rounding(contract.float_meshes ? PLUMB_FLOAT : contract.precision)(p);
 }
 
 /// Triangles that share vertices, as those of a model do: each of three points that lie near together.
@@ -74,8 +72,7 @@ std::vector<Ray> rays_at(Random& random, const Contract& contract, const Triangl
       target = mesh->positions[random.below(static_cast<std::uint32_t>(mesh->positions.size()))];
     Vec3 direction = target - origin;
     if (random.one_in(4)) direction[static_cast<int>(random.below(3))] = 0;
-    if (contract.precision == PLUMB_FLOAT)
-      direction = {static_cast<float>(direction.x), static_cast<float>(direction.y), static_cast<float>(direction.z)};
+    direction = Rounding(contract.precision)(direction);
     if (length(direction) > 0) rays.push_back({origin, direction});
   }
   return rays;

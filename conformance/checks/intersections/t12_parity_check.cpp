@@ -34,10 +34,20 @@ std::size_t places(std::vector<SubjectHit> hits, double relative) {
   return count;
 }
 
-/// The exact crossings, counted as those of the subject are.
-std::size_t exact_places(const ExactHit& truth, double relative) {
-  std::vector<SubjectHit> hits;
-  for (const ExactCrossing& crossing : truth.crossings) hits.push_back({.t = crossing.t_double});
+/// The exact crossings: each proper one is a place, and each t at which neighbours meet.
+std::size_t exact_places(const ExactHit& truth) {
+  std::size_t count = 0;
+  const ExactCrossing* last = nullptr;
+  for (const ExactCrossing& crossing : truth.crossings) {
+    count += !crossing.free || !last || last->t != crossing.t;
+    last = crossing.free ? &crossing : nullptr;
+  }
+  return count;
+}
+
+std::size_t places_within(const ExactHit& truth, double relative) {
+  std::vector<SubjectHit> hits(truth.crossings.size());
+  for (std::size_t i = 0; i < hits.size(); ++i) hits[i].t = truth.crossings[i].t_double;
   return places(std::move(hits), relative);
 }
 
@@ -46,12 +56,12 @@ void judge(const FamilyCase& one, const Ray& ray, const std::vector<SubjectHit>&
   const ExactHit truth = exact_hit({one.surface.shape, one.surface.world_from_object}, ray);
   const double relative = kMergeUlps * 2 * unit_roundoff(contract.t_precision) * one.condition;
   const std::size_t found = places(hits, relative);
-  const std::size_t exact = exact_places(truth, 0);
+  const std::size_t exact = exact_places(truth);
   ++counts.rays;
   counts.hits += static_cast<std::int64_t>(hits.size());
   // Where two crossings lie so close together that rounding can merge them, or hardly close enough, no count can be
   // asked.
-  if (exact_places(truth, 4 * relative) != exact) {
+  if (places_within(truth, 4 * relative) != exact) {
     ++counts.too_close;
     return;
   }

@@ -9,6 +9,7 @@
 #include "conformance/checks/describe.h"
 #include "conformance/checks/hit_judge.h"
 #include "conformance/families/random.h"
+#include "conformance/families/rounding.h"
 
 namespace plumb {
 namespace {
@@ -37,9 +38,7 @@ std::vector<Vec3> directions(std::uint64_t seed, std::int64_t count, bool as_flo
         if (other != axis) v[other] *= tiny;
     }
     if (length(v) < 0x1p-60) continue;
-    v = normalized(v);
-    if (as_float) v = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-    all.push_back(v);
+    all.push_back(Rounding(as_float ? PLUMB_FLOAT : PLUMB_DOUBLE)(normalized(v)));
   }
   return all;
 }

@@ -19,6 +19,28 @@ std::vector<std::string> parts(std::string_view filter) {
   return result;
 }
 
+ResultSet empty_set(const ChecksRequest& request) {
+  ResultSet set;
+  set.suite_id = "checks";
+  set.submission_id = request.subject_id;
+  set.plumb_version = request.plumb_version;
+  return set;
+}
+
+/// The case of a check, without its result.
+CaseResult case_of(const CheckKind& check, const ChecksRequest& request) {
+  CaseResult result;
+  result.id = check.id;
+  result.kind = "check";
+  result.requirement = check.asks;
+  result.visibility = "visible";
+  result.max_points = 1;
+  result.seed = request.options.seed;
+  result.repeat = fmt::format("{} --filter {} --seed {} --intensity {:g}", request.command, check.id,
+                              request.options.seed, request.options.intensity);
+  return result;
+}
+
 CheckResult interrupted() {
   CheckResult result;
   result.verdict = Verdict::skipped;
@@ -83,20 +105,9 @@ CheckResult ask_check(const CheckKind& check, std::span<Subject* const> doors, c
 }
 
 ResultSet run_checks(const ChecksRequest& request, std::span<Subject* const> doors) {
-  ResultSet set;
-  set.suite_id = "checks";
-  set.submission_id = request.subject_id;
-  set.plumb_version = request.plumb_version;
+  ResultSet set = empty_set(request);
   for (const CheckKind* check : request.checks) {
-    CaseResult result;
-    result.id = check->id;
-    result.kind = "check";
-    result.requirement = check->asks;
-    result.visibility = "visible";
-    result.max_points = 1;
-    result.seed = request.options.seed;
-    result.repeat = fmt::format("{} --filter {} --seed {} --intensity {:g}", request.command, check->id,
-                                request.options.seed, request.options.intensity);
+    CaseResult result = case_of(*check, request);
     if (interrupt_flag()) {
       result.check = interrupted();
       result.pending = true;
@@ -108,6 +119,20 @@ ResultSet run_checks(const ChecksRequest& request, std::span<Subject* const> doo
       result.points = is_right(result.check.verdict) ? 1 : 0;
       result.pending = result.check.verdict == Verdict::internal_error;
     }
+    request.done(result);
+    set.cases.push_back(std::move(result));
+  }
+  return set;
+}
+
+ResultSet failed_checks(const ChecksRequest& request, const SubjectFailure& failure) {
+  ResultSet set = empty_set(request);
+  for (const CheckKind* check : request.checks) {
+    CaseResult result = case_of(*check, request);
+    result.check.verdict = failure.verdict();
+    result.check.cause = failure.cause();
+    result.check.summary = failure.what();
+    result.check.advice = "start it by hand, and look at what it says";
     request.done(result);
     set.cases.push_back(std::move(result));
   }

@@ -35,6 +35,9 @@ struct ChecksRequest {
 /// interrupt (interrupt_flag) leaves the rest skipped, pending.
 ResultSet run_checks(const ChecksRequest& request, std::span<Subject* const> doors);
 
+/// The results where the subject failed before anything could be asked, as it was started: all checks get its verdict.
+ResultSet failed_checks(const ChecksRequest& request, const SubjectFailure& failure);
+
 /// Several checks as one: the verdict of the worst (internal_error, a failure in the order of the checks, unsupported,
 /// quality_warning, pass), with each one's verdict as evidence.
 CheckResult combined(std::span<const CheckKind* const> checks, std::span<const CheckResult> results);

@@ -30,6 +30,8 @@ struct CheckKind {
   /// Asks and judges. Evidence: counts, rates, the worst case as hex floats. Throws UnsupportedBySubject and
   /// SubjectFailure, which run_check turns into verdicts.
   CheckResult (*run)(Subject& subject, const CheckOptions& options);
+  /// A subject that is both a kernel and a probe is asked as a probe: only that one knows groups and normals.
+  bool probe_first = false;
 };
 
 /// All, in the catalogue's order.

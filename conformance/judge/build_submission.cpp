@@ -126,7 +126,8 @@ std::optional<CheckResult> build_submission(const BuildRequest& build) {
 void require_programs(const Suite& suite) {
   if (!suite.has_runner) return;
   std::vector<std::vector<std::string>> commands = suite.runner.build;
-  commands.push_back(suite.runner.render);
+  for (const auto& command : {suite.runner.render, suite.runner.probe})
+    if (!command.empty()) commands.push_back(command);
   for (const std::vector<std::string>& command : commands) {
     if (command.front().find('/') != std::string::npos || is_installed(command.front(), suite.runner)) continue;
     throw InputError({suite.file.string()}, "'" + command.front() +

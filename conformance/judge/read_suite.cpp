@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 
+#include "conformance/checks/run_checks.h"
 #include "conformance/judge/runner_rules.h"
 #include "conformance/judge/suite.h"
 #include "conformance/judge/suite_hash.h"
@@ -19,7 +21,7 @@ constexpr std::int64_t kMostMegabytes = std::int64_t{1} << 30;
 
 constexpr std::array<std::string_view, 3> kSkippedNames{"zero", "excluded", "manual"};
 constexpr std::array<std::string_view, 4> kVisibilities{"visible", "hidden", "after_due_date", "after_published"};
-constexpr std::array<std::string_view, 1> kKinds{"image"};
+constexpr std::array<std::string_view, 2> kKinds{"image", "check"};
 
 /// Ids name folders of the results, so they are plain file names.
 bool is_plain_name(std::string_view name) {
@@ -154,24 +156,47 @@ class SuiteReader {
     if (std::ranges::any_of(suite_.cases, [&](const SuiteCase& other) { return other.id == c.id; }))
       fields.fail("id", "is '" + c.id + "', which an earlier case has");
     c.kind = one_of(fields, "kind", "image", kKinds);
-    for (const std::string& input : fields.texts("inputs")) c.inputs.push_back(existing_file(fields, "inputs", input));
-    c.scene = scene_file(fields, c.inputs);
-    c.reference = existing_file(fields, "reference", fields.text("reference"));
+    if (c.kind == "check")
+      read_check(fields, c);
+    else
+      read_image(fields, c);
     c.requirement = fields.text("requirement", "");
     c.points = fields.number("points", c.points, 0);
-    // One 8-bit level, which is 1/255 of the linear range of an EXR.
-    const bool linear = equal_ignoring_case(c.reference.extension().string(), ".exr");
-    c.tolerance = fields.number("tolerance", linear ? 1.0 / 255 : 1, 0);
     c.cpu_seconds = fields.number("cpu_seconds", c.cpu_seconds, 0.01);
     c.wall_seconds = fields.number("wall_seconds", 3 * c.cpu_seconds, 0.01);
     c.memory_mb = fields.integer("memory_mb", c.memory_mb, 1, kMostMegabytes);
     c.output_mb = fields.integer("output_mb", c.output_mb, 1, kMostMegabytes);
     c.visibility = one_of(fields, "visibility", c.visibility, kVisibilities);
-    check_inputs(fields, c);
     std::vector<std::string> requires_ids = fields.texts("requires");
     fields.finish();
     suite_.cases.push_back(std::move(c));
     return requires_ids;
+  }
+
+  void read_image(TomlFields& fields, SuiteCase& c) const {
+    if (suite_.has_runner && suite_.runner.render.empty())
+      fields.fail("kind", "is image, but [runner] has no 'render'");
+    for (const std::string& input : fields.texts("inputs")) c.inputs.push_back(existing_file(fields, "inputs", input));
+    c.scene = scene_file(fields, c.inputs);
+    c.reference = existing_file(fields, "reference", fields.text("reference"));
+    // One 8-bit level, which is 1/255 of the linear range of an EXR.
+    const bool linear = equal_ignoring_case(c.reference.extension().string(), ".exr");
+    c.tolerance = fields.number("tolerance", linear ? 1.0 / 255 : 1, 0);
+    check_inputs(fields, c);
+  }
+
+  void read_check(TomlFields& fields, SuiteCase& c) const {
+    if (suite_.has_runner && suite_.runner.probe.empty() && suite_.runner.kernel.empty())
+      fields.fail("kind", "is check, but [runner] has neither 'probe' nor 'kernel'");
+    c.filter = fields.text("filter", "");
+    try {
+      selected_checks(c.filter);
+    } catch (const InputError& error) {
+      fields.fail("filter", error.what());
+    }
+    c.intensity = fields.number("intensity", c.intensity, 0.001);
+    c.seed = static_cast<std::uint64_t>(fields.integer("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
+    c.cpu_seconds = 300;
   }
 
   /// Inputs lie beside the scene, so two of one name would overwrite each other.
@@ -194,7 +219,7 @@ class SuiteReader {
       if (entry.is_symlink() || (!entry.is_regular_file() && !entry.is_directory()))
         throw InputError(where, "the overlay holds '" + entry.path().string() + "', which is no ordinary file");
       for (const SuiteCase& c : suite_.cases)
-        if (entry.is_regular_file() && fs::equivalent(entry.path(), c.reference))
+        if (entry.is_regular_file() && !c.reference.empty() && fs::equivalent(entry.path(), c.reference))
           throw InputError(where, "the overlay holds the reference '" + c.reference.string() +
                                       "', which the submission must not see");
     }

@@ -7,6 +7,7 @@
 #include "conformance/checks/image/image_check.h"
 #include "conformance/judge/build_submission.h"
 #include "conformance/judge/commands.h"
+#include "conformance/judge/run_check_case.h"
 #include "conformance/judge/suite_hash.h"
 #include "conformance/sandbox/run_process.h"
 #include "renderer/image/staged_file.h"
@@ -93,6 +94,12 @@ void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& work
   if (build_changed(workspace)) {  // by an earlier case, beyond repair
     result.check = stopped(Verdict::security, "build_changed", "an earlier case destroyed the build",
                            "write only beside the scene or where the assignment says");
+    return;
+  }
+  if (suite_case.kind == "check") return run_check_case(suite_case, runner, workspace, seconds_left, results, result);
+  if (runner.render.empty()) {
+    result.check = stopped(Verdict::fail, "build", "submission.toml says nothing of how a picture is made",
+                           "give render = [...] in its [runner]");
     return;
   }
   const Workspace::CaseFolder folder = workspace.make_case_folder(suite_case, runner);

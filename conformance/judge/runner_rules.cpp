@@ -53,8 +53,16 @@ Runner read_runner_fields(TomlFields& fields) {
   Runner runner;
   runner.build = fields.text_lists("build");
   for (const auto& command : runner.build) check_build(fields, command);
+  runner.probe = fields.texts("probe");
+  if (fields.has("probe") && (runner.probe.empty() || runner.probe.front().empty()))
+    fields.fail("probe", "is empty, expected [\"program\", \"argument\"]");
+  runner.kernel = fields.text("kernel", "");
+  if (fields.has("kernel")) require_inner_path(fields, "kernel", runner.kernel);
+  if (fields.has("kernel") && fields.has("probe")) fields.fail("kernel", "stands beside 'probe', expected one of them");
+  // What only answers checks renders nothing.
+  const bool answers = fields.has("probe") || fields.has("kernel");
   runner.render = fields.texts("render");
-  if (runner.render.empty() || runner.render.front().empty())
+  if (fields.has("render") ? runner.render.empty() || runner.render.front().empty() : !answers)
     fields.fail("render", "is missing or empty, expected [\"program\", \"{scene}\"]" + fields.near_key("render"));
   for (const std::string& argument : runner.render) check_placeholders(fields, "render", argument, kRenderNames);
   runner.env = fields.text_table("env");

@@ -21,6 +21,10 @@ struct Runner {
   std::string output = "{scene}.png";
   /// The folder that holds the scene and its inputs, relative to where the program runs; empty for that folder itself.
   std::string scene_at;
+  /// The command of a probe (docs/probe-protocol.md), or the path of a kernel's shared library in the built submission;
+  /// for cases of kind check. At most one.
+  std::vector<std::string> probe;
+  std::string kernel;
 };
 
 /// What a skipped case counts: no points, not at all, or as a person decides.
@@ -30,7 +34,11 @@ enum class SkippedPolicy { zero, excluded, manual };
 struct SuiteCase {
   std::string id;
   std::string kind;
-  /// Copied beside the scene; absolute. The scene is among them.
+  /// kind check: which checks (their ids, as `plumb check --filter` takes them), how much and from which seed.
+  std::string filter;
+  double intensity = 1;
+  std::uint64_t seed = 1;
+  /// kind image, as the rest. Copied beside the scene; absolute. The scene is among them.
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path scene;
   std::filesystem::path reference;

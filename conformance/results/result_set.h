@@ -26,6 +26,8 @@ struct CaseResult {
   /// SHA-256 of the input files by name, and of `reference` and `picture` as far as they were looked at.
   std::vector<std::pair<std::string, std::string>> input_hashes;
   std::vector<std::pair<std::string, std::string>> hashes;
+  /// Of what decides the case by chance.
+  std::optional<std::uint64_t> seed;
   /// What repeats this case.
   std::string repeat;
   /// The run, where there was one; everything in it was measured.

@@ -62,7 +62,7 @@ Json case_json(const CaseResult& c, const std::string& plumb_version) {
   for (const auto& [name, hash] : c.input_hashes) json["hashes"]["inputs"][name] = hash;
   for (const auto& [name, hash] : c.hashes) json["hashes"][name] = hash;
   json["versions"] = {{"plumb", plumb_version}};
-  json["seed"] = Json();  // nothing random decides an image case
+  json["seed"] = c.seed ? Json(*c.seed) : Json();  // nothing random decides an image case
   json["repeat"] = c.repeat;
   return json;
 }
@@ -134,6 +134,13 @@ bool may_be_replaced(const fs::path& dir) {
 }
 
 }  // namespace
+
+std::string results_text(const ResultSet& results) {
+  Json json = results_json(results);
+  json["cases"] = Json::array();
+  for (const CaseResult& c : results.cases) json["cases"].push_back(case_json(c, results.plumb_version));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 ResultFolder::ResultFolder(fs::path dir, std::string plumb_version)
     : dir_(std::move(dir)), plumb_version_(std::move(plumb_version)) {

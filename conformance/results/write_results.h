@@ -6,6 +6,9 @@
 
 namespace plumb {
 
+/// The whole set as JSON text: results.json, with each case as its case.json has it.
+std::string results_text(const ResultSet& results);
+
 /// The folder that results go to. They are gathered in a new folder beside it, `DIR.partial-` and six letters, which
 /// takes DIR's name at the end, so that DIR always holds a whole set.
 class ResultFolder {

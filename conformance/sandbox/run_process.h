@@ -20,6 +20,13 @@ struct ProcessRequest {
   /// The folder whose total size is watched. Empty: none is, and only each single file is limited.
   std::filesystem::path writable_folder;
   RunLimits limits;
+  /// An open file that becomes the program's standard input; it stays the caller's. -1: /dev/null.
+  int input = -1;
+  /// The same for its standard output. -1: the log.
+  int output = -1;
+  /// The same for its descriptor kLine. -1: that is closed, as all others are.
+  int line = -1;
+  static constexpr int kLine = 3;
 };
 
 /// Runs a program that is not trusted, to its end or to the first limit it passes, and kills everything that it

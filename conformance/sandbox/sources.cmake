@@ -1,6 +1,7 @@
 # The files of conformance/sandbox, relative to conformance/, for its CMakeLists.txt to include.
 
 set(SANDBOX_SOURCES
+  sandbox/answer_lines.cpp
   sandbox/end_processes.cpp
   sandbox/folder_size.cpp
   sandbox/harvest.cpp
@@ -9,10 +10,13 @@ set(SANDBOX_SOURCES
   sandbox/process_tree.cpp
   sandbox/run_outcome.cpp
   sandbox/run_process.cpp
+  sandbox/session.cpp
   sandbox/start_process.cpp
-  sandbox/usage_meter.cpp)
+  sandbox/usage_meter.cpp
+  sandbox/watched_process.cpp)
 
 set(SANDBOX_HEADERS
+  sandbox/answer_lines.h
   sandbox/end_processes.h
   sandbox/file_descriptor.h
   sandbox/folder_size.h
@@ -22,10 +26,13 @@ set(SANDBOX_HEADERS
   sandbox/process_tree.h
   sandbox/run_outcome.h
   sandbox/run_process.h
+  sandbox/session.h
   sandbox/start_process.h
-  sandbox/usage_meter.h)
+  sandbox/usage_meter.h
+  sandbox/watched_process.h)
 
 set(SANDBOX_TESTS
+  sandbox/answer_lines_test.cpp
   sandbox/end_processes_test.cpp
   sandbox/folder_size_test.cpp
   sandbox/harvest_test.cpp
@@ -34,6 +41,7 @@ set(SANDBOX_TESTS
   sandbox/process_tree_test.cpp
   sandbox/run_limits_test.cpp
   sandbox/run_process_test.cpp
+  sandbox/session_test.cpp
   sandbox/start_process_test.cpp
   sandbox/usage_meter_test.cpp)
 

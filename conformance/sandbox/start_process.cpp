@@ -20,7 +20,7 @@ namespace plumb {
 
 namespace {
 
-constexpr int kReportNumber = 3;  // In the child, the one descriptor beyond the standard ones, until it executes.
+constexpr int kReportNumber = ProcessRequest::kLine + 1;  // In the child, until it executes.
 
 /// What the child could not do.
 enum class Stage { prepare, enter, execute };
@@ -45,6 +45,8 @@ struct Plan {
   pid_t parent;
   int input;
   int output;
+  int errors;
+  int line;  // -1 for none.
   int report;
   int highest_descriptor;
 };
@@ -101,8 +103,10 @@ void close_all_but_standard_and_report(int highest) {
 
 /// In the child. Only calls that POSIX allows between fork and exec, and bare system calls.
 [[noreturn]] void become(Plan& plan) {
-  require(::dup2(plan.input, 0) == 0 && ::dup2(plan.output, 1) == 1 && ::dup2(plan.output, 2) == 2);
-  if (plan.report != kReportNumber) require(::dup3(plan.report, kReportNumber, O_CLOEXEC) == kReportNumber);
+  require(::dup3(plan.report, kReportNumber, O_CLOEXEC) == kReportNumber);
+  ::close(ProcessRequest::kLine);
+  if (plan.line >= 0) require(::dup2(plan.line, ProcessRequest::kLine) == ProcessRequest::kLine);
+  require(::dup2(plan.input, 0) == 0 && ::dup2(plan.output, 1) == 1 && ::dup2(plan.errors, 2) == 2);
   close_all_but_standard_and_report(plan.highest_descriptor);
 
   // If we are killed, so is it; and if that happened already, there is nobody to work for.
@@ -143,14 +147,20 @@ void close_all_but_standard_and_report(int highest) {
   give_up(Stage::execute);
 }
 
-/// The descriptor, moved away from the standard numbers that the child overwrites.
-FileDescriptor above_standard(int number) {
+/// The descriptor, moved away from the numbers that the child overwrites.
+FileDescriptor above_fixed(int number) {
   FileDescriptor low(number);
   if (!low.valid()) fail("cannot open what a run needs");
-  if (number > 2) return low;
-  FileDescriptor high(::fcntl(number, F_DUPFD_CLOEXEC, 3));
+  if (number > kReportNumber) return low;
+  FileDescriptor high(::fcntl(number, F_DUPFD_CLOEXEC, kReportNumber + 1));
   if (!high.valid()) fail("cannot open what a run needs");
   return high;
+}
+
+/// A copy of the caller's descriptor, above those numbers; none for none.
+FileDescriptor copy_of(int number) {
+  if (number < 0) return FileDescriptor();
+  return above_fixed(::fcntl(number, F_DUPFD_CLOEXEC, kReportNumber + 1));
 }
 
 struct Pipe {
@@ -162,7 +172,7 @@ Pipe make_pipe() {
   std::array<int, 2> ends;
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe");
   Pipe pipe{FileDescriptor(ends[0]), FileDescriptor(ends[1])};
-  return {above_standard(pipe.read.release()), above_standard(pipe.write.release())};
+  return {above_fixed(pipe.read.release()), above_fixed(pipe.write.release())};
 }
 
 pid_t fork_without_handlers(Plan& plan) {
@@ -189,7 +199,10 @@ std::string describe(const Report& report, const ProcessRequest& request) {
 }  // namespace
 
 StartedProcess start_process(const ProcessRequest& request) {
-  FileDescriptor input = above_standard(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  const FileDescriptor input =
+      request.input >= 0 ? copy_of(request.input) : above_fixed(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  const FileDescriptor output = copy_of(request.output);
+  const FileDescriptor line = copy_of(request.line);
   Pipe log = make_pipe();
   Pipe report = make_pipe();
   if (::fcntl(log.read.get(), F_SETFL, O_NONBLOCK) != 0) fail("cannot make a pipe");
@@ -209,7 +222,9 @@ StartedProcess start_process(const ProcessRequest& request) {
                        limit_of(RLIMIT_CORE, 0, 0)},
             .parent = ::getpid(),
             .input = input.get(),
-            .output = log.write.get(),
+            .output = output.valid() ? output.get() : log.write.get(),
+            .errors = log.write.get(),
+            .line = line.get(),
             .report = report.write.get(),
             .highest_descriptor = static_cast<int>(std::min<rlim_t>(descriptors.rlim_cur, 1 << 20))};
   plan.shell_arguments = plan.arguments;

@@ -35,6 +35,8 @@ struct SubjectHit {
   /// The triangle of a mesh.
   std::uint32_t primitive = 0;
   double t = 0, u = 0, v = 0;
+  /// Whether the subject reports u and v.
+  bool has_weights = true;
   /// In world space, where the subject reports one.
   std::optional<Vec3> normal;
   bool hit() const { return surface != kMiss; }
@@ -81,6 +83,13 @@ class Subject {
   /// One line of versions and flags; may be empty.
   virtual std::string description() const { return ""; }
   virtual const Contract& contract() const = 0;
+
+  /// By how much fewer questions it is asked than a kernel in the same time; 1 for a kernel, less where each scene is a
+  /// file.
+  virtual double pace() const { return 1; }
+
+  /// Ends whatever process the subject holds, so that another may run; the next load starts it afresh.
+  virtual void rest() {}
 
   /// Replaces the scene that is asked about.
   virtual void load(const SubjectScene& scene) = 0;

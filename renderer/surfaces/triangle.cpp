@@ -86,6 +86,29 @@ std::optional<TriangleHit> exactly_intersect(const Ray& ray, const Point3& a, co
   return hit;
 }
 
+/// Outside of these a product of three or four coordinates could leave the range of doubles, or be rounded below it.
+bool is_ordinary(double size) { return size >= 0x1p-200 && size <= 0x1p200; }
+
+/// The same in units in which the largest distance and the direction's largest coordinate lie in [1, 2). Powers of two
+/// move numbers exactly.
+std::optional<TriangleHit> intersect_in_its_own_units(const Ray& ray, double distance, const Point3& a, const Point3& b,
+                                                      const Point3& c) {
+  const double along = largest(ray.direction);
+  if (!(distance > 0 && along > 0 && std::isfinite(distance) && std::isfinite(along))) return std::nullopt;
+  const int points = -std::ilogb(distance), directions = -std::ilogb(along);
+  const auto scaled = [](auto v, int exponent) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] = std::scalbn(v[axis], exponent);
+    return v;
+  };
+  const Ray unit{scaled(ray.origin, points), scaled(ray.direction, directions),
+                 -std::numeric_limits<double>::infinity()};
+  auto hit = intersect_triangle(ShearedRay(unit), scaled(a, points), scaled(b, points), scaled(c, points));
+  if (!hit) return std::nullopt;
+  hit->t = std::scalbn(hit->t, directions - points);
+  if (!ray.contains(hit->t) || !std::isfinite(hit->t)) return std::nullopt;
+  return hit;
+}
+
 }  // namespace
 
 ShearedRay::ShearedRay(const Ray& of) : ray(of) {
@@ -103,6 +126,9 @@ std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const P
   const Vec3 to_a = a - ray.origin;
   const Vec3 to_b = b - ray.origin;
   const Vec3 to_c = c - ray.origin;
+  const double m = std::max({largest(to_a), largest(to_b), largest(to_c)});
+  if (!is_ordinary(m) || !is_ordinary(largest(ray.direction))) [[unlikely]]
+    return intersect_in_its_own_units(ray, m, a, b, c);
   const PlanePoint pa = seen_along(sheared, to_a);
   const PlanePoint pb = seen_along(sheared, to_b);
   const PlanePoint pc = seen_along(sheared, to_c);
@@ -111,7 +137,6 @@ std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const P
   // With m the largest coordinate from the origin, a sheared one is off by 6u m: u m by its difference, 3u m by that of
   // z, the shear and their product, 2u m by the sum of both, as |shear| <= 1. So a weight is off by 6u m times its four
   // coordinates, 4u m times them for its own roundings, and 72 (u m)^2.
-  const double m = std::max({largest(to_a), largest(to_b), largest(to_c)});
   const double reach =
       std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pb.x) + std::fabs(pb.y) + std::fabs(pc.x) + std::fabs(pc.y);
   const double error = 0x1p-49 * m * (reach + 0x1p-48 * m);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
+#include <cstring>
 #include <optional>
 
 #include "renderer/math/input_error.h"
@@ -52,6 +54,23 @@ PixelRect parse_rect(std::string_view text) {
         {}, "--crop: '" + std::string(text) + "' is no part of a picture, expected X,Y,W,H with rows from the top");
   }
   return {(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
+}
+
+std::vector<double> parse_numbers(std::string_view option, const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  const char* at = text.c_str();
+  while (*at != '\0') {
+    char* end = nullptr;
+    const double number = std::strtod(at, &end);
+    if (end == at) break;
+    numbers.push_back(number);
+    at = end + std::strspn(end, " \t\n");
+    if (*at == ',') ++at;
+  }
+  if (*at != '\0' || numbers.size() != count)
+    throw InputError(
+        {}, std::string(option) + ": '" + text + "', expected " + std::to_string(count) + " numbers parted by commas");
+  return numbers;
 }
 
 std::size_t parse_choice(std::string_view option, std::string_view name, std::span<const std::string_view> names) {

@@ -15,6 +15,8 @@ namespace plumb {
 Size2 parse_size(std::string_view text);
 /// `X,Y,W,H`. Throws InputError if it is not four whole numbers, or the rectangle is empty.
 PixelRect parse_rect(std::string_view text);
+/// `count` numbers parted by commas or blanks: decimal, hex floats, `inf`. Throws InputError naming the option.
+std::vector<double> parse_numbers(std::string_view option, const std::string& text, std::size_t count);
 /// The place of `name` among `names`. Throws InputError naming the option and the nearest known name.
 std::size_t parse_choice(std::string_view option, std::string_view name, std::span<const std::string_view> names);
 

@@ -14,6 +14,10 @@ using Action = std::function<int()>;
 /// Each adds its verb to the command line and sets `action` when that verb was chosen.
 void add_render_command(CLI::App& app, Action& action);
 void add_diff_command(CLI::App& app, Action& action);
+void add_check_command(CLI::App& app, Action& action);
+void add_corpus_command(CLI::App& app, Action& action);
+void add_oracle_command(CLI::App& app, Action& action);
 void add_grade_command(CLI::App& app, Action& action);
+void add_probe_command(CLI::App& app, Action& action);
 
 }  // namespace plumb

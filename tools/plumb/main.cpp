@@ -40,6 +40,10 @@ int main(int argc, char** argv) {
   plumb::add_render_command(app, action);
   plumb::add_diff_command(app, action);
   plumb::add_grade_command(app, action);
+  plumb::add_check_command(app, action);
+  plumb::add_oracle_command(app, action);
+  plumb::add_corpus_command(app, action);
+  plumb::add_probe_command(app, action);
   try {
     check_verb(app, argc, argv);
     app.parse(argc, argv);

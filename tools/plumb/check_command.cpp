@@ -58,7 +58,7 @@ struct Arguments {
 };
 
 int list_all() {
-  for (const CheckKind* check : check_kinds()) {
+  for (const CheckKind* check : checks_in_order()) {
     fmt::print("{:<16}  {}\n", check->id, check->title);
     fmt::print("{:<16}  asks:      {}\n", "", check->asks);
     fmt::print("{:<16}  matters:   {}\n", "", check->matters);

@@ -107,7 +107,7 @@ ResultSet run_checks(const ChecksRequest& request, std::span<Subject* const> doo
       request.progress(*check, 0);
       result.check = ask_check(*check, doors, options);
       result.points = is_right(result.check.verdict) ? 1 : 0;
-      result.pending = result.check.verdict == Verdict::internal_error;
+      result.pending = result.check.verdict == Verdict::internal_error || result.check.cause == "interrupted";
     }
     request.done(result);
     set.cases.push_back(std::move(result));

@@ -168,7 +168,7 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, Action& action) {
+void add_check_command(CLI::App& app, Action& action, std::vector<std::string> probe) {
   CLI::App* command = app.add_subcommand(
       "check", "Check a subject's intersections, boxes, matrices and optics against exact arithmetic");
   const auto arguments = std::make_shared<Arguments>();
@@ -185,9 +185,10 @@ void add_check_command(CLI::App& app, Action& action) {
   command->add_flag("--json", a.json, "Print the results as JSON");
   command->add_flag("--list", a.list, "Say what each check asks, and which subjects are shipped");
   command->add_flag("--pareto", a.pareto, "Speed against error of every shipped kernel");
-  command->add_option("--probe", a.subject.probe, "A probe's command, the rest of the line (docs/probe-protocol.md)")
-      ->type_name("COMMAND ...")
-      ->expected(1, 1000);
+  a.subject.probe = std::move(probe);
+  command->footer(
+      "--probe COMMAND ...   instead of SUBJECT, and last: a probe's command, the rest of the line "
+      "(docs/probe-protocol.md)");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 

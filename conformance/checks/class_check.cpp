@@ -12,6 +12,8 @@ constexpr double kMedianUlps = 4;
 constexpr double kHighUlps = 64;
 constexpr double kPerMillion = 1e-6;
 constexpr double kPerThousand = 1e-3;
+constexpr std::int64_t kFewestNearHits = 64;
+constexpr double kNearMisses = 0.75;
 
 std::string class_sentence(const ClassCounts& c) {
   if (c.wrong() == 0)
@@ -41,12 +43,22 @@ CheckResult judge_counts(const ClassCounts& counts, const Contract& contract, Ti
     result.advice = advice;
   };
   const auto outside = static_cast<double>(counts.outside_band);
+  const auto near_hits = static_cast<double>(counts.near_hits);
+  const auto near_misses = static_cast<double>(counts.near_misses);
   if (counts.escapes > 0) {
     fail("escape", -static_cast<double>(counts.escapes),
          "rays from inside of a solid leave it unseen: intersect the side's interval with the slab's instead of "
          "testing side and caps apart");
   } else if (outside > allowed) {
     fail("class", allowed - outside, "see the worst case, and what the oracle says of it: " + counts.worst.command);
+  } else if (counts.near_hits >= kFewestNearHits && near_misses > kNearMisses * near_hits) {
+    fail("boundary", kNearMisses - near_misses / near_hits,
+         fmt::format("{} of {} hits at the boundary are missed, where rounding would lose half at most: something is "
+                     "cut off by an epsilon or a strict comparison; one of them: {}",
+                     counts.near_misses, counts.near_hits, counts.worst.command));
+  } else if (time == TimeRule::told && static_cast<double>(counts.other_places) > allowed) {
+    fail("t", allowed - static_cast<double>(counts.other_places),
+         "hits lie at another place than the surface; one of them: " + counts.worst.command);
   } else if (normals != NormalRule::told &&
              static_cast<double>(counts.normals_off) > kPerThousand * static_cast<double>(counts.normals)) {
     fail("normal", kNormalAngle - counts.largest_normal_angle,
@@ -66,10 +78,12 @@ CheckResult judge_counts(const ClassCounts& counts, const Contract& contract, Ti
 }
 
 CheckResult check_family(std::string_view id, Subject& subject, const CheckOptions& options, TimeRule time,
-                         NormalRule normals) {
+                         NormalRule normals, BoundaryRule boundary) {
   const auto count =
       static_cast<std::int64_t>(std::ceil(static_cast<double>(kFamilyRays) * options.intensity * subject.pace()));
-  const ClassCounts counts = ask_family(subject, family_kind(id), options.seed, count, options.progress);
+  const ClassCounts counts =
+      ask_family(subject, family_kind(id), options.seed, count, options.progress,
+                 {.near_hits = boundary == BoundaryRule::judged, .other_places = time == TimeRule::told});
   return judge_counts(counts, subject.contract(), time, normals);
 }
 

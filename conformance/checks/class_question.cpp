@@ -47,7 +47,7 @@ double largest_coordinate(const FamilyCase& question) {
 
 class Asking {
  public:
-  Asking(Subject& subject, ClassCounts& counts) : subject_(subject), counts_(counts) {}
+  Asking(Subject& subject, CountedToo too, ClassCounts& counts) : subject_(subject), too_(too), counts_(counts) {}
 
   void ask(const std::vector<FamilyCase>& cases) {
     if (subject_.contract().matrices) {
@@ -85,6 +85,10 @@ class Asking {
     counts_.hits += truth.crossings.empty() ? 0 : 1;
     counts_.free += judgement.free ? 1 : 0;
     int rank = 0;
+    if (too_.near_hits && judgement.must_report && within_rounding(shape, ray, contract, one.condition, SubjectHit{})) {
+      ++counts_.near_hits;
+      counts_.near_misses += !answer.hit();
+    }
     if (judgement.fault != AnswerFault::none) {
       counts_.false_misses += judgement.fault == AnswerFault::false_miss;
       counts_.false_hits += judgement.fault == AnswerFault::false_hit;
@@ -96,9 +100,12 @@ class Asking {
       rank = outside ? 3 : escape ? 2 : 1;
     } else if (judgement.crossing && !judgement.free) {
       counts_.t_errors.push_back(judgement.t_ulps / one.condition);
-      if (answer.normal)
-        judge_normal(crossings_by_contract(truth, ray, shape.shape.kind, contract)[*judgement.crossing],
-                     *answer.normal);
+      const ExactCrossing crossing = crossings_by_contract(truth, ray, shape.shape.kind, contract)[*judgement.crossing];
+      if (too_.other_places && is_another_place(answer.t, crossing, shape, ray, contract)) {
+        ++counts_.other_places;
+        rank = 3;
+      }
+      if (answer.normal) judge_normal(crossing, *answer.normal);
     }
     note_worst(rank, rank == 0 && answer.hit() && !judgement.free ? judgement.t_ulps / one.condition : -1, shape, ray,
                truth, answer);
@@ -128,6 +135,7 @@ class Asking {
   }
 
   Subject& subject_;
+  CountedToo too_;
   ClassCounts& counts_;
 };
 
@@ -152,12 +160,12 @@ plumb_precision family_precision(const Contract& contract, ShapeKind kind) {
 }
 
 ClassCounts ask_family(Subject& subject, const FamilyKind& family, std::uint64_t seed, std::int64_t count,
-                       const std::function<void(double)>& progress) {
+                       const std::function<void(double)>& progress, CountedToo too) {
   const Contract& contract = subject.contract();
   const ShapeKind first_kind = family.make(seed, contract.precision)->next().surface.shape.kind;
   const auto source = family.make(seed, family_precision(contract, first_kind));
   ClassCounts counts;
-  Asking asking(subject, counts);
+  Asking asking(subject, too, counts);
   std::int64_t made = 0;
   while (made < count) {
     std::vector<FamilyCase> batch;
@@ -190,6 +198,11 @@ void add_evidence(const ClassCounts& counts, Evidence& evidence) {
   evidence.emplace_back("wrong_crossings", counts.wrong_crossings);
   evidence.emplace_back("outside_rounding", counts.outside_band);
   evidence.emplace_back("escapes", counts.escapes);
+  if (counts.near_hits > 0) {
+    evidence.emplace_back("hits_within_rounding", counts.near_hits);
+    evidence.emplace_back("missed_of_those", counts.near_misses);
+  }
+  if (counts.other_places > 0) evidence.emplace_back("t_of_another_place", counts.other_places);
   if (counts.too_large > 0) evidence.emplace_back("left_out_too_large", counts.too_large);
   evidence.emplace_back("t_ulps_median", counts.t_percentile(0.5));
   evidence.emplace_back("t_ulps_p99", counts.t_percentile(0.99));

@@ -27,6 +27,11 @@ struct ClassCounts {
   std::int64_t outside_band = 0;
   /// Rays from inside of a solid that hit nothing.
   std::int64_t escapes = 0;
+  /// Where asked for: hits that must be reported, but that rounding may lose (within_rounding), and those that were
+  /// lost.
+  std::int64_t near_hits = 0, near_misses = 0;
+  /// Where asked for: hits whose t is that of another place (is_another_place).
+  std::int64_t other_places = 0;
   /// Left out because their coordinates pass the contract's largest.
   std::int64_t too_large = 0;
   /// Normals that were reported with right hits; those off by more than kNormalAngle; those on the wrong side.
@@ -35,8 +40,8 @@ struct ClassCounts {
   /// The error of t of each right hit, in ulps over the case's condition; sorted.
   std::vector<double> t_errors;
 
-  /// The worst case: a wrong class outside of the band, else an escape, else any wrong one, else the largest error of
-  /// t.
+  /// The worst case: a wrong class outside of the band or a t of another place, else an escape, else any wrong one,
+  /// else the largest error of t.
   struct Worst {
     int rank = 0;
     double t_error = -1;
@@ -49,12 +54,18 @@ struct ClassCounts {
   double t_percentile(double share) const;
 };
 
+/// What is counted besides, of families that need it: the hits that rounding may lose, and hits at another place.
+struct CountedToo {
+  bool near_hits = false;
+  bool other_places = false;
+};
+
 /// Asks `count` rays of the family (whole cases, so a few more), and judges each answer against the exact truth by the
 /// subject's contract. The truth is taken on the matrices that the subject reports, where it reports any. Throws
 /// UnsupportedBySubject if the contract lacks what the family needs.
 ClassCounts ask_family(
     Subject& subject, const FamilyKind& family, std::uint64_t seed, std::int64_t count,
-    const std::function<void(double)>& progress = [](double) {});
+    const std::function<void(double)>& progress = [](double) {}, CountedToo too = {});
 
 /// Whether the contract names the surface's shape, and transforms where it has one.
 bool can_build(const Contract& contract, const SubjectSurface& surface);

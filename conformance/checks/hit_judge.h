@@ -28,6 +28,9 @@ struct AnswerJudgement {
   /// The origin lies inside of a solid, or the answer must be a hit for another reason, and the ray is endless: a miss
   /// is an escape.
   bool must_hit = false;
+  /// The contract asks for a hit, and the origin is not inside of a solid, which no rounding of a boundary could
+  /// excuse.
+  bool must_report = false;
 };
 
 /// The crossings that count by the contract: without back faces where those are culled, without the ends of an open
@@ -43,6 +46,12 @@ AnswerJudgement judge_answer(const ExactHit& truth, const Ray& ray, ShapeKind ki
 /// |t - exact| in units of the last place of the exact value rounded to the precision, which `crossing` holds.
 double t_error_ulps(double t, const ExactCrossing& crossing, plumb_precision precision);
 
+/// Whether t is off by more than 2^20 u of what its formulas add up: |t| and the largest distance from the origin to
+/// the shape over the direction's length. That is no rounding of any formula unless the ray grazes the surface at an
+/// angle of some 2^-20, but another place; unlike a number of ulps it means something where the exact t is about zero.
+bool is_another_place(double t, const ExactCrossing& crossing, const PlacedShape& shape, const Ray& ray,
+                      const Contract& contract);
+
 /// The unit roundoff: 2^-24 or 2^-53.
 double unit_roundoff(plumb_precision precision);
 
@@ -51,7 +60,9 @@ double unit_roundoff(plumb_precision precision);
 /// distance from the origin to the shape, whose direction by 16 u of its length, or whose range by 16 u of its ends and
 /// as much as the origin, all times `condition`. A solid may also be larger or smaller by as much as the origin is
 /// moved (in object space), as what has no thickness is missed by every ray that is moved. The factor 16 covers the
-/// longest chain of operations of the usual formulas (Moller-Trumbore: 8 roundings a term, [Shewchuk 1997]).
+/// longest chain of operations of the usual formulas (Moller-Trumbore: 8 roundings a term, [Shewchuk 1997]). For a
+/// triangle in world space the condition does not count: it is that of t, a quotient, while the class is one of signs
+/// of determinants, whose rounding knows nothing of it.
 bool within_rounding(const PlacedShape& shape, const Ray& ray, const Contract& contract, double condition,
                      const SubjectHit& answer);
 

@@ -33,7 +33,8 @@ struct Errors {
   std::string worst_entry;
 
   void add(double claimed, const Enclosure& exact, double bound, double u, const std::string& where) {
-    const double off = claimed < exact.below   ? exact.below - claimed
+    const double off = std::isnan(claimed)     ? std::numeric_limits<double>::infinity()
+                       : claimed < exact.below ? exact.below - claimed
                        : claimed > exact.above ? claimed - exact.above
                                                : 0;
     const double nearest = claimed < exact.below ? exact.below : exact.above;

@@ -98,6 +98,12 @@ std::vector<SubjectScene> primitives(const SubjectScene& scene) {
   return singles;
 }
 
+std::string ray_text(const Ray& ray) {
+  return fmt::format("origin {} {} {}, direction {} {} {}, t to {}", hex(ray.origin.x), hex(ray.origin.y),
+                     hex(ray.origin.z), hex(ray.direction.x), hex(ray.direction.y), hex(ray.direction.z),
+                     hex(ray.t_max));
+}
+
 void compare(const Ray& ray, const SubjectHit& found, const SubjectHit& nearest, Counts& counts) {
   ++counts.rays;
   counts.hits += nearest.hit();
@@ -109,9 +115,41 @@ void compare(const Ray& ray, const SubjectHit& found, const SubjectHit& nearest,
   else
     ++(found.t > nearest.t ? counts.farther : counts.nearer);
   if (counts.worst.empty())
-    counts.worst = fmt::format("scene {}: {} instead of {} for origin {} {} {}, direction {} {} {}", counts.scenes,
-                               describe(found), describe(nearest), hex(ray.origin.x), hex(ray.origin.y),
-                               hex(ray.origin.z), hex(ray.direction.x), hex(ray.direction.y), hex(ray.direction.z));
+    counts.worst = fmt::format("scene {}: {} instead of {} for {}", counts.scenes, describe(found), describe(nearest),
+                               ray_text(ray));
+}
+
+/// The rays that hit, ended at half of the way to the nearest hit, or at twice it.
+struct Ended {
+  std::vector<Ray> rays;
+  std::vector<SubjectHit> nearest;
+};
+
+Ended ended(const std::vector<Ray>& rays, const std::vector<SubjectHit>& nearest, const Contract& contract) {
+  Ended result;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!nearest[i].hit() || !(nearest[i].t > 0)) continue;
+    const bool behind = i % 2 == 1;
+    Ray ray = rays[i];
+    ray.t_max = Rounding(contract.precision)((behind ? 2 : 0.5) * nearest[i].t);
+    result.rays.push_back(ray);
+    result.nearest.push_back(behind ? nearest[i] : SubjectHit{});
+  }
+  return result;
+}
+
+/// `nearest` is what the surfaces by themselves answer.
+void ask_rays(Subject& subject, std::span<const Ray> rays, std::span<const SubjectHit> nearest, Counts& counts) {
+  const std::vector<SubjectHit> found = subject.closest(rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) compare(rays[i], found[i], nearest[i], counts);
+  if (!(subject.contract().capabilities & PLUMB_ANY_HIT)) return;
+  const std::vector<std::uint8_t> any = subject.any(rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if ((any[i] != 0) == nearest[i].hit()) continue;
+    if (counts.blocked++ == 0 && counts.worst.empty())
+      counts.worst = fmt::format("scene {}: {} of `any` for {}", counts.scenes, any[i] != 0 ? "a hit" : "no hit",
+                                 ray_text(rays[i]));
+  }
 }
 
 void ask_scene(Subject& subject, const SubjectScene& scene, const std::vector<Ray>& rays, Counts& counts) {
@@ -122,12 +160,9 @@ void ask_scene(Subject& subject, const SubjectScene& scene, const std::vector<Ra
     for (std::size_t i = 0; i < rays.size(); ++i)
       if (answers[i].hit() && (!nearest[i].hit() || answers[i].t < nearest[i].t)) nearest[i] = answers[i];
   subject.load(scene);
-  const std::vector<SubjectHit> found = subject.closest(rays);
-  for (std::size_t i = 0; i < rays.size(); ++i) compare(rays[i], found[i], nearest[i], counts);
-  if (subject.contract().capabilities & PLUMB_ANY_HIT) {
-    const std::vector<std::uint8_t> any = subject.any(rays);
-    for (std::size_t i = 0; i < rays.size(); ++i) counts.blocked += (any[i] != 0) != nearest[i].hit();
-  }
+  ask_rays(subject, rays, nearest, counts);
+  const Ended short_rays = ended(rays, nearest, subject.contract());
+  if (!short_rays.rays.empty()) ask_rays(subject, short_rays.rays, short_rays.nearest, counts);
   ++counts.scenes;
 }
 
@@ -181,7 +216,7 @@ extern const CheckKind hierarchy_check_kind{
     .title = "The hierarchy against trying everything",
     .asks =
         "Scenes of many triangles, and of many solids: is the closest hit that of the subject's own answers for each "
-        "surface alone?",
+        "surface alone? Also for the same rays ended at half of the way to it, and at twice; and does any-hit agree?",
     .matters = "Triangles and whole objects are missing in blocks, or one behind shows through one in front.",
     .tolerance =
         "None: the subject's own primitives are asked one by one, so the hit and the bits of t must be the same. Which "

@@ -9,8 +9,11 @@ extern const CheckKind t01_edge_check_kind{
     .matters =
         "Both neighbours of an edge miss and the background shines through in single pixels, or both hit and a shadow "
         "or refraction counts twice.",
-    .tolerance = kClassTolerance,
-    .run = [](Subject& subject, const CheckOptions& options) { return check_family("T1", subject, options); },
+    .tolerance = kBoundaryTolerance,
+    .run =
+        [](Subject& subject, const CheckOptions& options) {
+          return check_family("T1", subject, options, TimeRule::judged, NormalRule::told, BoundaryRule::judged);
+        },
 };
 
 }  // namespace plumb

@@ -7,8 +7,11 @@ extern const CheckKind t02_vertex_check_kind{
     .title = "Rays at the vertices of triangles",
     .asks = "Rays through a vertex, as near as rounding allows.",
     .matters = "At a vertex many triangles can miss at once: bright or dark dots on closed surfaces.",
-    .tolerance = kClassTolerance,
-    .run = [](Subject& subject, const CheckOptions& options) { return check_family("T2", subject, options); },
+    .tolerance = kBoundaryTolerance,
+    .run =
+        [](Subject& subject, const CheckOptions& options) {
+          return check_family("T2", subject, options, TimeRule::judged, NormalRule::told, BoundaryRule::judged);
+        },
 };
 
 }  // namespace plumb

@@ -17,7 +17,8 @@ constexpr double kQueries = 20'000;
 /// Where sin^2 is this near to critical, the reflectance goes with the square root of the distance.
 constexpr double kNearCritical = 1e-4;
 constexpr double kNearTolerance = 1e-6;
-/// The amplitudes (a - b) / (a + b) are off by a few u, so the reflectance, their mean square, by a few u (R + sqrt R).
+/// The amplitudes (a - b) / (a + b) are off by a few u, so the reflectance, their mean square, by a few u (R + sqrt R);
+/// but they hold the refracted cosine c, the root of 1 - sin^2, whose few u of error are as many u / c^2 of c.
 constexpr double kUnits = 64;
 constexpr double kFreeUnits = 4;
 
@@ -60,13 +61,17 @@ void judge(const Query& q, double claimed, double u, Counts& counts) {
   // Within 4 u of critical, total or not, is a matter of rounding, and both are near 1 there.
   const bool free = exact.distance_to_critical <= kFreeUnits * u;
   counts.free += free;
-  const double rounding = kUnits * u * (truth + std::sqrt(truth) + u);
+  const double c = exact.refracted_cosine.below;
+  const double condition = exact.total_internal_reflection ? 1 : 1 + 1 / (c * c);
+  const double rounding = kUnits * u * condition * (truth + std::sqrt(truth) + u);
   const double allowed = near ? std::max(kNearTolerance, std::sqrt(u) * 16) : rounding;
-  const bool decision = !free && (claimed == 1) != exact.total_internal_reflection && off > rounding && off > allowed;
-  if (decision) ++counts.wrong_decisions;
-  if (off > allowed) ++counts.wrong_values;
-  if (off / allowed > counts.largest || counts.worst.empty()) {
-    counts.largest = off / allowed;
+  // NaN is wrong too, and wrong by more than any number.
+  const double share = std::isnan(off) ? Bounds3::kInfinity : off / allowed;
+  const bool wrong = !(share <= 1);
+  counts.wrong_values += wrong;
+  counts.wrong_decisions += wrong && !free && (claimed == 1) != exact.total_internal_reflection;
+  if (share > counts.largest || counts.worst.empty()) {
+    counts.largest = share;
     counts.worst = fmt::format("cosine {} from {} to {}: {} ({:.17g}), exactly {:.17g}", hex(q.cosine), hex(q.from),
                                hex(q.to), hex(claimed), claimed, truth);
   }
@@ -115,7 +120,9 @@ extern const CheckKind f01_fresnel_check_kind{
     .tolerance =
         "Whether reflection is total is free within 4 u of critical. Near it (1e-4 in sin^2) 1e-6 absolute, as R goes "
         "with the "
-        "square root of the distance; elsewhere 64 u (R + sqrt R), as the amplitudes are off by a few u.",
+        "square root of the distance; elsewhere 64 u (R + sqrt R) (1 + 1/c^2), as the amplitudes are off by a few u "
+        "and "
+        "the refracted cosine c, a square root, by a few u / c^2.",
     .run = run,
 };
 

@@ -45,6 +45,8 @@ std::vector<Vec3> directions(std::uint64_t seed, std::int64_t count, bool as_flo
 
 /// The largest fault of a frame in units of its tolerance.
 double fault(const Vec3& direction, const std::array<Vec3, 3>& frame, double u) {
+  for (const Vec3& v : frame)
+    if (!is_finite(v)) return Bounds3::kInfinity;
   const auto& [a, b, c] = frame;
   const auto product = [](const Vec3& p, const Vec3& q) {
     return static_cast<double>(static_cast<long double>(p.x) * q.x + static_cast<long double>(p.y) * q.y +
@@ -54,7 +56,8 @@ double fault(const Vec3& direction, const std::array<Vec3, 3>& frame, double u) 
       std::max({std::fabs(product(a, b)), std::fabs(product(b, c)), std::fabs(product(c, a))}) / (kUnits * u);
   for (const Vec3& v : frame) largest = std::max(largest, std::fabs(product(v, v) - 1) / (kLengthUnits * u));
   const Vec3 across = cross(c, direction);
-  return std::max(largest, dot(c, direction) > 0 ? length(across) / (kLengthUnits * u * length(direction)) : 1e300);
+  return std::max(largest,
+                  dot(c, direction) > 0 ? length(across) / (kLengthUnits * u * length(direction)) : Bounds3::kInfinity);
 }
 
 CheckResult run(Subject& subject, const CheckOptions& options) {
@@ -68,8 +71,8 @@ CheckResult run(Subject& subject, const CheckOptions& options) {
   for (const Vec3& direction : directions(options.seed, count, as_float)) {
     const double found = fault(direction, subject.frame(direction), u);
     ++asked;
-    wrong += !(found <= 1);
-    if (!(found <= largest) || worst.empty()) {
+    wrong += found > 1;
+    if (found > largest || worst.empty()) {
       largest = found;
       worst = fmt::format("({}, {}, {})", hex(direction.x), hex(direction.y), hex(direction.z));
     }

@@ -14,6 +14,8 @@
 #include "conformance/judge/grade.h"
 #include "conformance/results/write_results.h"
 #include "conformance/sandbox/run_process.h"
+#include "conformance/subject/kernel_cost.h"
+#include "conformance/subject/kernel_subject.h"
 #include "conformance/subject/shipped_kernels.h"
 #include "renderer/math/input_error.h"
 #include "reports/terminal_table.h"
@@ -128,6 +130,15 @@ int check_folder(const Arguments& arguments) {
   return report(arguments, results);
 }
 
+/// What asking costs by itself, on this machine now: beside it every time of a kernel is to be read.
+void print_asking_cost() {
+  KernelSubject nothing(shipped_kernel("empty"));
+  constexpr int kCalls = 200;
+  const AskingCost one = asking_cost(nothing, 1, kCalls), many = asking_cost(nothing, 4096, kCalls);
+  fmt::print("  cost of a call, by an empty kernel: {:.0f} ns for one ray, {:.2g} ns a ray for 4096 at once\n",
+             one.cpu_nanoseconds_a_ray, many.cpu_nanoseconds_a_ray);
+}
+
 int check_subject(const Arguments& arguments) {
   ChecksRequest request;
   request.checks = selected_checks(arguments.filter);
@@ -141,6 +152,7 @@ int check_subject(const Arguments& arguments) {
     for (const auto& door : opened.doors)
       fmt::print("{}{}{}\n  contract: {}\n", door->name(), door->description().empty() ? "" : ": ", door->description(),
                  to_string(door->contract()));
+    if (dynamic_cast<const KernelSubject*>(opened.doors.front().get())) print_asking_cost();
     fmt::print("\n");
     std::fflush(stdout);
   }

@@ -20,6 +20,7 @@
 #include "renderer/math/input_error.h"
 #include "reports/terminal_table.h"
 #include "tools/plumb/command.h"
+#include "tools/plumb/pareto.h"
 #include "tools/plumb/subjects.h"
 
 namespace plumb {
@@ -171,8 +172,17 @@ int check_subject(const Arguments& arguments) {
   return report(arguments, results);
 }
 
+/// Asks no subject, but every kernel that is shipped.
+int pareto(const Arguments& arguments) {
+  if (!arguments.subject.subject.empty() || !arguments.subject.probe.empty() || !arguments.suite.empty())
+    throw InputError({}, "--pareto asks the shipped kernels, expected no SUBJECT, --suite or --probe beside it");
+  if (arguments.json) throw InputError({}, "--pareto writes CSV, expected no --json beside it");
+  return run_pareto({arguments.out, arguments.filter, arguments.intensity, arguments.seed});
+}
+
 int run(const Arguments& arguments) {
   if (arguments.list) return list_all();
+  if (arguments.pareto) return pareto(arguments);
   if (!arguments.json) fmt::print("not isolated: run only programs you trust\n\n");
   stop_on_signals();
   return fs::is_directory(arguments.subject.subject) ? check_folder(arguments) : check_subject(arguments);
@@ -196,7 +206,7 @@ void add_check_command(CLI::App& app, Action& action, std::vector<std::string> p
   command->add_option("--seed", a.seed, "Same seed, same questions [1]")->type_name("S");
   command->add_flag("--json", a.json, "Print the results as JSON");
   command->add_flag("--list", a.list, "Say what each check asks, and which subjects are shipped");
-  command->add_flag("--pareto", a.pareto, "Speed against error of every shipped kernel");
+  command->add_flag("--pareto", a.pareto, "Speed against error of every shipped kernel; --filter chooses kernels");
   a.subject.probe = std::move(probe);
   command->footer(
       "--probe COMMAND ...   instead of SUBJECT, and last: a probe's command, the rest of the line "

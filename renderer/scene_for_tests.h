@@ -36,6 +36,18 @@ inline std::filesystem::path write_scene_test_file(const std::string& name, cons
   return file;
 }
 
+/// The mesh with its positions as a scene keeps them: in single precision. Without the volatile, GCC 12 drops the
+/// rounding when it vectorises.
+inline TriangleMesh in_single_precision(TriangleMesh mesh) {
+  for (Point3& position : mesh.positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      volatile float rounded = static_cast<float>(position[axis]);
+      position[axis] = static_cast<double>(rounded);
+    }
+  }
+  return mesh;
+}
+
 /// A file on its way through reader, meshes and builder.
 struct ReadScene {
   SceneDescription description;

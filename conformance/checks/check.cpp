@@ -1,6 +1,8 @@
 #include "conformance/checks/check.h"
 
+#include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -13,7 +15,20 @@ CheckResult without_answer(Verdict verdict, std::string cause, std::string summa
   return result;
 }
 
+/// Smaller comes first; a word, which begins with a small letter, last.
+std::pair<std::size_t, int> place(std::string_view id) {
+  const std::size_t area = std::string_view("TBSCMAFN").find(id.front());
+  if (area == std::string_view::npos) return {area, 0};
+  return {area, std::stoi(std::string(id.substr(1)))};
+}
+
 }  // namespace
+
+std::vector<const CheckKind*> checks_in_order() {
+  std::vector<const CheckKind*> checks(check_kinds().begin(), check_kinds().end());
+  std::ranges::stable_sort(checks, {}, [](const CheckKind* check) { return place(check->id); });
+  return checks;
+}
 
 CheckResult run_check(const CheckKind& check, Subject& subject, const CheckOptions& options) {
   try {

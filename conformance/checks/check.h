@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "conformance/subject/subject.h"
 #include "conformance/verdict.h"
@@ -34,8 +35,11 @@ struct CheckKind {
   bool probe_first = false;
 };
 
-/// All, in the catalogue's order.
+/// All, by file.
 std::span<const CheckKind* const> check_kinds();
+/// All, in the catalogue's order: triangles, boxes, spheres, cylinders and cones, transforms, ellipsoids, optics,
+/// frames, by number; then those with a word for an id.
+std::vector<const CheckKind*> checks_in_order();
 
 /// Runs one check: exceptions of the subject become verdicts; anything else is internal_error.
 CheckResult run_check(const CheckKind& check, Subject& subject, const CheckOptions& options);

@@ -17,7 +17,7 @@ constexpr double kNearMisses = 0.75;
 
 std::string class_sentence(const ClassCounts& c) {
   if (c.wrong() == 0)
-    return fmt::format("{} rays, 0 wrong (< {:.2g} per million at 95 %)", c.rays, 3e6 / static_cast<double>(c.rays));
+    return fmt::format("{} rays, 0 wrong (< {:.3g} per million at 95 %)", c.rays, 3e6 / static_cast<double>(c.rays));
   return fmt::format("{} rays: {} false misses, {} false hits, {} wrong crossings; {} not excused by rounding", c.rays,
                      c.false_misses, c.false_hits, c.wrong_crossings, c.outside_band);
 }

@@ -76,7 +76,7 @@ CheckResult check_leaks(std::span<const ClosedSurface> surfaces, Subject& subjec
                      {"escapes", leaks.escapes},
                      {"escapes_per_million", 1e6 * static_cast<double>(leaks.escapes) / rays}};
   result.summary = leaks.escapes == 0
-                       ? fmt::format("{} rays from inside of {} surfaces, 0 escape (< {:.2g} per million at 95 %)",
+                       ? fmt::format("{} rays from inside of {} surfaces, 0 escape (< {:.3g} per million at 95 %)",
                                      leaks.rays, leaks.surfaces, 3e6 / rays)
                        : fmt::format("{} of {} rays from inside escape: {}", leaks.escapes, leaks.rays, leaks.names);
   if (leaks.escapes > 0) {

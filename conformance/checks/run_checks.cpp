@@ -73,8 +73,9 @@ int severity(Verdict verdict) {
 std::vector<const CheckKind*> selected_checks(std::string_view filter) {
   std::vector<const CheckKind*> selected;
   std::vector<std::string_view> ids;
-  for (const CheckKind* check : check_kinds()) ids.push_back(check->id);
-  if (filter.empty()) return {check_kinds().begin(), check_kinds().end()};
+  const std::vector<const CheckKind*> all = checks_in_order();
+  for (const CheckKind* check : all) ids.push_back(check->id);
+  if (filter.empty()) return all;
   std::vector<bool> chosen(ids.size());
   for (const std::string& part : parts(filter)) {
     bool found = false;
@@ -87,7 +88,7 @@ std::vector<const CheckKind*> selected_checks(std::string_view filter) {
                        "--filter: no check matches '" + part + "'" + did_you_mean(part, ids) + " (plumb check --list)");
   }
   for (std::size_t i = 0; i < ids.size(); ++i)
-    if (chosen[i]) selected.push_back(check_kinds()[i]);
+    if (chosen[i]) selected.push_back(all[i]);
   return selected;
 }
 
@@ -117,7 +118,7 @@ ResultSet run_checks(const ChecksRequest& request, std::span<Subject* const> doo
       request.progress(*check, 0);
       result.check = ask_check(*check, doors, options);
       result.points = is_right(result.check.verdict) ? 1 : 0;
-      result.pending = result.check.verdict == Verdict::internal_error;
+      result.pending = result.check.verdict == Verdict::internal_error || result.check.cause == "interrupted";
     }
     request.done(result);
     set.cases.push_back(std::move(result));

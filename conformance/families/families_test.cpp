@@ -128,13 +128,13 @@ struct Golden {
 /// The first 1000 cases of seed 1. They change only where a recipe is changed on purpose: then every stored result that
 /// names the family by seed and number loses its meaning.
 constexpr Golden kGolden[] = {
-    {"A1", 0xa784c189325374bcu, 0x5182d1555c724606u},  {"B0", 0xa3ba8900dca2b3b3u, 0x1e6038dc6827e67fu},
+    {"A1", 0xa784c189325374bcu, 0x1e7409e314f20e9eu},  {"B0", 0xa3ba8900dca2b3b3u, 0x1e6038dc6827e67fu},
     {"B1", 0xee822f148c2d40a1u, 0xfb7d86cc6efee1dfu},  {"B2", 0xc7fd6d3fd3eb315cu, 0x86b8d60d0d0b95b7u},
     {"B3", 0xbc6bf25a21e36709u, 0xb0a20db76ac78d32u},  {"C0", 0xfbafe582795627c5u, 0x806d0d7b04dec60u},
     {"C1", 0x63905860e47a08aau, 0xecf95d99b39c736du},  {"C2", 0x953cd8ceb3d05ebfu, 0x2970228a5a6b38ebu},
-    {"M0", 0x66cafdc61b917b6bu, 0xdb35fbd82f573f42u},  {"M1", 0x28abd9bbc9f20128u, 0x81a945288f85124u},
-    {"M2", 0x36279d0022c11b18u, 0x62c1520072a74138u},  {"M3", 0x8c35833cf4e2eb5au, 0xd812c2915b672b3u},
-    {"M4", 0xaff49853a5eaf8dfu, 0x6d39c485a1b1f294u},  {"S0", 0x4be5bfbdc6c5d5dau, 0x5e7f30789d74dee6u},
+    {"M0", 0x66cafdc61b917b6bu, 0x7a6fd5a884a10e93u},  {"M1", 0x28abd9bbc9f20128u, 0x48a4a9d7816e85f8u},
+    {"M2", 0x36279d0022c11b18u, 0x34413a06f77689e8u},  {"M3", 0x4959dc5a720e64dau, 0x3e98ce276cd8238eu},
+    {"M4", 0xf108586c4faf465fu, 0x86fd78d04cf24a14u},  {"S0", 0x4be5bfbdc6c5d5dau, 0x5e7f30789d74dee6u},
     {"S1", 0x342ee941b55f9c0au, 0xa899db33afa63a15u},  {"S2", 0x4d8d80d43168693u, 0xb37355d8b9dadf8cu},
     {"S3", 0x9ff423b22ba0db81u, 0x39b2160fd1975a1bu},  {"S4", 0xe0e8aa9b617ac3cbu, 0xdd76f6c754a73954u},
     {"S5", 0x28f0be156aff9e65u, 0xf5eabf564c83b76du},  {"T0", 0x61892ed0a139f239u, 0x7e74c866689e47f7u},

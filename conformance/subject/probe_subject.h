@@ -33,6 +33,7 @@ class ProbeSubject : public Subject {
   std::string description() const override;
   const Contract& contract() const override { return contract_; }
 
+  double pace() const override { return 0.05; }
   void rest() override;
   /// Writes the scene as a file for the program, and matches the program's list of surfaces with it. Throws
   /// UnsupportedBySubject also for shapes that the contract leaves out and for a matrix without groups.

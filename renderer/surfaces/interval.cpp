@@ -15,12 +15,19 @@ std::optional<Interval> stretched(std::optional<Interval> interval) {
   if (!interval) return interval;
   return Interval{{interval->from.t * kStretch, interval->from.part}, {interval->to.t * kStretch, interval->to.part}};
 }
-/// center + half - z, rounded once where the rounding of the sum before could show.
+/// What a + b loses by rounding, given the rounded sum [Knuth 1997].
+double lost(double a, double b, double sum) {
+  const double from_b = sum - a;
+  return (a - (sum - from_b)) + (b - from_b);
+}
+
+/// center + half - z with what both roundings lose, so that a ray that begins close to a cap, or within a flat solid,
+/// does not see the rounding of the cap's height.
 double distance_to_end(double center, double half, double z) {
   const double end = center + half;
   const double distance = end - z;
-  if (std::fabs(distance) > 0x1p-30 * std::fabs(end)) return distance;
-  return static_cast<double>(ExactSum(center).add(half).add(-z).rounded());
+  if (!std::isfinite(distance)) return distance;
+  return distance + (lost(center, half, end) + lost(end, -z, distance));
 }
 
 }  // namespace

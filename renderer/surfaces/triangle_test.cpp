@@ -99,6 +99,73 @@ TEST(Triangle, TinyAndHugeOnesAreHit) {
   }
 }
 
+TEST(Triangle, HasTheClassOfTheRayAsGivenBesideItsEdges) {
+  // Vertices and origins of 24 bits, so that 113 bits hold the differences and their products but for the last few, and
+  // directions of all 53 bits towards an edge: each triple product d . (p x q) is off by 2^-110 of its terms.
+  __extension__ using Quad = __float128;
+  std::mt19937_64 random(19);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto point = [&] {
+    const auto few_bits = [&] { return static_cast<double>(static_cast<float>(u(random))); };
+    return Point3{few_bits(), few_bits(), few_bits()};
+  };
+  const auto triple = [](const Vec3& d, const Vec3& p, const Vec3& q) {
+    return d.x * (Quad(p.y) * q.z - Quad(p.z) * q.y) + d.y * (Quad(p.z) * q.x - Quad(p.x) * q.z) +
+           d.z * (Quad(p.x) * q.y - Quad(p.y) * q.x);
+  };
+  int hits = 0, misses = 0, undecided = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Point3 a = point(), b = point(), c = point();
+    Ray ray{point(), {}, -std::numeric_limits<double>::infinity()};
+    ray.direction = a + 0.5 * (1 + u(random)) * (b - a) - ray.origin;
+    const Vec3 to_a = a - ray.origin, to_b = b - ray.origin, to_c = c - ray.origin;  // exact
+    const Quad weights[] = {triple(ray.direction, to_c, to_b), triple(ray.direction, to_a, to_c),
+                            triple(ray.direction, to_b, to_a)};
+    bool positive = false, negative = false, sure = true;
+    for (const Quad weight : weights) {
+      sure = sure && (weight > 0x1p-100 || weight < -0x1p-100);
+      positive = positive || weight > 0;
+      negative = negative || weight < 0;
+    }
+    if (!sure) {
+      ++undecided;
+      continue;
+    }
+    ASSERT_EQ(triangle_hit(ray, a, b, c).has_value(), positive != negative) << i;
+    ++(positive != negative ? hits : misses);
+  }
+  EXPECT_GT(hits, 40000);
+  EXPECT_GT(misses, 40000);
+  EXPECT_LT(undecided, 10);
+}
+
+TEST(Triangle, GrazingHitsLieWithinItsBox) {
+  // At angles of 1e-16 to 1e-3 to the plane, where a t from rounded products may be anything.
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto vector = [&] { return Vec3{u(random), u(random), u(random)}; };
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Point3 a = Point3{} + vector(), b = Point3{} + vector(), c = Point3{} + vector();
+    const Vec3 normal = normalized(cross(b - a, c - a));
+    const Point3 target = a + 0.25 * (1 + u(random)) * (b - a) + 0.25 * (1 + u(random)) * (c - a);
+    const Vec3 along = normalized(b - target) + std::pow(10, -9.5 + 6.5 * u(random)) * normal;
+    const Ray ray{target + -2.0 * along, along};
+    const auto hit = triangle_hit(ray, a, b, c);
+    if (!hit) continue;
+    ++hits;
+    Bounds3 box;
+    for (const Point3& p : {a, b, c}) box.extend(p);
+    const Point3 at = ray.at(hit->t);
+    for (int axis = 0; axis < 3; ++axis) {
+      // The point is rounded three times at a size of at most 6.
+      EXPECT_GE(at[axis], box.min[axis] - 4 * 6 * 0x1p-53) << i;
+      EXPECT_LE(at[axis], box.max[axis] + 4 * 6 * 0x1p-53) << i;
+    }
+  }
+  EXPECT_GT(hits, 2000);
+}
+
 /// The number of triangles of the mesh that the ray meets.
 int hits_of(const TriangleMesh& mesh, const Ray& ray) {
   int hits = 0;
@@ -108,7 +175,7 @@ int hits_of(const TriangleMesh& mesh, const Ray& ray) {
 }
 
 TEST(Triangle, NothingLeaksThroughTheEdgesAndVerticesOfAClosedMesh) {
-  // T1 and T2 of the catalogue, on doubles that use all of their 53 bits.
+  // Edges and vertices, on doubles that use all of their 53 bits.
   const TriangleMesh mesh = icosphere(2);
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> u(-1, 1);

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <random>
 
+#include "meshes/generators/icosphere.h"
+#include "meshes/write_msh.h"
 #include "renderer/scene_for_tests.h"
 
 namespace plumb {
@@ -80,8 +82,8 @@ TEST(WorldBounds, HoldTheTransformedCone) {
 }
 
 TEST(WorldBounds, OfASphereAreTight) {
-  // Along axis i it reaches r |row i|: the bounds may be wider by roundings only, 32 units of 2^-53 of centre and
-  // extent.
+  // Along axis i it reaches r |row i|: the bounds may be wider by one rounding, and the referee here is off by some
+  // 2^-63 of centre and extent.
   const OneSurface sphere("<surface type='Sphere'><center>1 2 3</center><radius>2</radius></surface>");
   std::mt19937_64 random(37);
   int cases = 0, smaller_than_box = 0;
@@ -95,11 +97,11 @@ TEST(WorldBounds, OfASphereAreTight) {
           2 * std::sqrt(static_cast<Extended>(row[0]) * row[0] + static_cast<Extended>(row[1]) * row[1] +
                         static_cast<Extended>(row[2]) * row[2]);
       const Extended center = row[0] * 1.0L + row[1] * 2.0L + row[2] * 3.0L + row[3];
-      const Extended slack = 32 * 0x1p-53L * (std::fabs(center) + extent + 30);
-      EXPECT_LE(bounds.max[axis], center + extent + slack);
-      EXPECT_GE(bounds.max[axis], center + extent);
-      EXPECT_GE(bounds.min[axis], center - extent - slack);
-      EXPECT_LE(bounds.min[axis], center - extent);
+      const Extended slack = 0x1p-60L * (std::fabs(center) + extent + 30);
+      EXPECT_LE(std::nextafter(bounds.max[axis], -INFINITY), center + extent + slack);
+      EXPECT_GE(bounds.max[axis], center + extent - slack);
+      EXPECT_GE(std::nextafter(bounds.min[axis], INFINITY), center - extent - slack);
+      EXPECT_LE(bounds.min[axis], center - extent + slack);
       smaller_than_box += bounds.max[axis] < box.max[axis] - 1e-3;
     }
   }
@@ -113,25 +115,58 @@ TEST(WorldBounds, OfATurnedCylinderAreTight) {
   const Bounds3 bounds = cylinder->world_bounds(Transform(rotation_degrees({90, 0, 0})));
   const double expected[] = {1, 2, 1};
   for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(bounds.max[axis], expected[axis], 32 * 0x1p-53);
-    EXPECT_NEAR(bounds.min[axis], -expected[axis], 32 * 0x1p-53);
+    EXPECT_EQ(bounds.max[axis], expected[axis]);
+    EXPECT_EQ(bounds.min[axis], -expected[axis]);
   }
 }
 
 TEST(WorldBounds, OfABoxAreThoseOfItsCorners) {
   const OneSurface box("<surface type='Box'><minPt>-1 -2 -3</minPt><maxPt>1 2 3</maxPt></surface>");
-  // Outward by 8u of the sum of a row's terms, which is at most 3 in the first case and 5 in the second.
-  const auto expect = [&](const AffineMatrix& matrix, const Bounds3& exact, double terms) {
-    const Bounds3 bounds = box->world_bounds(Transform(matrix));
-    for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_LE(bounds.min[axis], exact.min[axis]);
-      EXPECT_GE(bounds.max[axis], exact.max[axis]);
-      EXPECT_NEAR(bounds.min[axis], exact.min[axis], 9 * 0x1p-53 * terms);
-      EXPECT_NEAR(bounds.max[axis], exact.max[axis], 9 * 0x1p-53 * terms);
-    }
+  const auto expect = [&](const AffineMatrix& matrix, const Bounds3& exact) {
+    EXPECT_EQ(box->world_bounds(Transform(matrix)), exact);
   };
-  expect(rotation_degrees({0, 0, 90}), {{-2, -1, -3}, {2, 1, 3}}, 3);
-  expect(translation({1, 1, 1}) * scaling({-1, 2, 1}), {{0, -3, -2}, {2, 5, 4}}, 5);
+  expect(rotation_degrees({0, 0, 90}), {{-2, -1, -3}, {2, 1, 3}});
+  expect(translation({1, 1, 1}) * scaling({-1, 2, 1}), {{0, -3, -2}, {2, 5, 4}});
+}
+
+TEST(WorldBounds, OfAConeAreThoseOfItsEndDiscs) {
+  // Tip at z = 3, radius 1 at z = 0, from -1 to 1: the discs have radius 4/3 and 2/3. A double cone, with its tip
+  // within, has its larger disc at the far end.
+  const OneSurface cone("<surface type='Cone'><tipz>3</tipz><height>2</height></surface>");
+  const double up = std::nextafter(4.0 / 3, 2);  // 4/3 rounds down
+  EXPECT_EQ(cone->bounds(), (Bounds3{{-up, -up, -1}, {up, up, 1}}));
+  EXPECT_EQ(cone->world_bounds(Transform(rotation_degrees({90, 0, 0}))), (Bounds3{{-up, -1, -up}, {up, 1, up}}));
+  const OneSurface both("<surface type='Cone'><tipz>1</tipz><height>6</height></surface>");
+  EXPECT_EQ(both->bounds(), (Bounds3{{-4, -4, -3}, {4, 4, 3}}));
+}
+
+TEST(WorldBounds, OfAMeshAreThoseOfTheVerticesThatItUses) {
+  // A square turned by 45 degrees within its plane: the corners of its box would reach sqrt 2 times as far. The last
+  // vertex belongs to no triangle.
+  TriangleMesh mesh;
+  mesh.positions = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {9, 9, 9}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  write_msh(mesh, scene_test_file("turned.msh"));
+  const OneSurface surface("<surface type='Mesh'><data>turned.msh</data></surface>");
+  EXPECT_EQ(surface->bounds(), (Bounds3{{-1, -1, 0}, {1, 1, 0}}));
+  const AffineMatrix turn = rotation_degrees({0, 0, 45});
+  const double reach = turn[0][0];
+  EXPECT_EQ(surface->world_bounds(Transform(turn)), (Bounds3{{-reach, -reach, 0}, {reach, reach, 0}}));
+}
+
+TEST(WorldBounds, OfALargeMeshAreThoseOfAllItsVertices) {
+  const TriangleMesh sphere = in_single_precision(icosphere(4));
+  write_msh(sphere, scene_test_file("large.msh"));
+  const OneSurface surface("<surface type='Mesh'><data>large.msh</data></surface>");
+  std::mt19937_64 random(5);
+  int transforms = 0;
+  for (; transforms < 50; ++transforms) {
+    const Transform map = random_transform(random);
+    Bounds3 exact;
+    for (const Point3& p : sphere.positions) exact.extend(map(Bounds3{p, p}));
+    EXPECT_EQ(surface->world_bounds(map), exact);
+  }
+  EXPECT_EQ(transforms, 50);
 }
 
 /// The exact largest coordinate of a mapped corner, in 113 bits: each product of two doubles is exact there, and the

@@ -14,10 +14,13 @@
 #include "conformance/judge/grade.h"
 #include "conformance/results/write_results.h"
 #include "conformance/sandbox/run_process.h"
+#include "conformance/subject/kernel_cost.h"
+#include "conformance/subject/kernel_subject.h"
 #include "conformance/subject/shipped_kernels.h"
 #include "renderer/math/input_error.h"
 #include "reports/terminal_table.h"
 #include "tools/plumb/command.h"
+#include "tools/plumb/pareto.h"
 #include "tools/plumb/subjects.h"
 
 namespace plumb {
@@ -58,7 +61,7 @@ struct Arguments {
 };
 
 int list_all() {
-  for (const CheckKind* check : check_kinds()) {
+  for (const CheckKind* check : checks_in_order()) {
     fmt::print("{:<16}  {}\n", check->id, check->title);
     fmt::print("{:<16}  asks:      {}\n", "", check->asks);
     fmt::print("{:<16}  matters:   {}\n", "", check->matters);
@@ -128,6 +131,15 @@ int check_folder(const Arguments& arguments) {
   return report(arguments, results);
 }
 
+/// What asking costs by itself, on this machine now: beside it every time of a kernel is to be read.
+void print_asking_cost() {
+  KernelSubject nothing(shipped_kernel("empty"));
+  constexpr int kCalls = 200;
+  const AskingCost one = asking_cost(nothing, 1, kCalls), many = asking_cost(nothing, 4096, kCalls);
+  fmt::print("  cost of a call, by an empty kernel: {:.0f} ns for one ray, {:.2g} ns a ray for 4096 at once\n",
+             one.cpu_nanoseconds_a_ray, many.cpu_nanoseconds_a_ray);
+}
+
 int check_subject(const Arguments& arguments) {
   ChecksRequest request;
   request.checks = selected_checks(arguments.filter);
@@ -141,6 +153,7 @@ int check_subject(const Arguments& arguments) {
     for (const auto& door : opened.doors)
       fmt::print("{}{}{}\n  contract: {}\n", door->name(), door->description().empty() ? "" : ": ", door->description(),
                  to_string(door->contract()));
+    if (dynamic_cast<const KernelSubject*>(opened.doors.front().get())) print_asking_cost();
     fmt::print("\n");
     std::fflush(stdout);
   }
@@ -159,8 +172,17 @@ int check_subject(const Arguments& arguments) {
   return report(arguments, results);
 }
 
+/// Asks no subject, but every kernel that is shipped.
+int pareto(const Arguments& arguments) {
+  if (!arguments.subject.subject.empty() || !arguments.subject.probe.empty() || !arguments.suite.empty())
+    throw InputError({}, "--pareto asks the shipped kernels, expected no SUBJECT, --suite or --probe beside it");
+  if (arguments.json) throw InputError({}, "--pareto writes CSV, expected no --json beside it");
+  return run_pareto({arguments.out, arguments.filter, arguments.intensity, arguments.seed});
+}
+
 int run(const Arguments& arguments) {
   if (arguments.list) return list_all();
+  if (arguments.pareto) return pareto(arguments);
   if (!arguments.json) fmt::print("not isolated: run only programs you trust\n\n");
   stop_on_signals();
   return fs::is_directory(arguments.subject.subject) ? check_folder(arguments) : check_subject(arguments);
@@ -168,7 +190,7 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, Action& action) {
+void add_check_command(CLI::App& app, Action& action, std::vector<std::string> probe) {
   CLI::App* command = app.add_subcommand(
       "check", "Check a subject's intersections, boxes, matrices and optics against exact arithmetic");
   const auto arguments = std::make_shared<Arguments>();
@@ -184,10 +206,11 @@ void add_check_command(CLI::App& app, Action& action) {
   command->add_option("--seed", a.seed, "Same seed, same questions [1]")->type_name("S");
   command->add_flag("--json", a.json, "Print the results as JSON");
   command->add_flag("--list", a.list, "Say what each check asks, and which subjects are shipped");
-  command->add_flag("--pareto", a.pareto, "Speed against error of every shipped kernel");
-  command->add_option("--probe", a.subject.probe, "A probe's command, the rest of the line (docs/probe-protocol.md)")
-      ->type_name("COMMAND ...")
-      ->expected(1, 1000);
+  command->add_flag("--pareto", a.pareto, "Speed against error of every shipped kernel; --filter chooses kernels");
+  a.subject.probe = std::move(probe);
+  command->footer(
+      "--probe COMMAND ...   instead of SUBJECT, and last: a probe's command, the rest of the line "
+      "(docs/probe-protocol.md)");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 

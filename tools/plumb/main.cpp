@@ -29,6 +29,17 @@ void check_verb(const CLI::App& app, int argc, char** argv) {
                                   plumb::did_you_mean(argv[1], verbs));
 }
 
+/// Takes `--probe COMMAND ...` off the end of the arguments of `plumb check`: the rest of the line is somebody else's.
+std::vector<std::string> take_probe_command(int& argc, char** argv) {
+  if (argc < 2 || std::string_view(argv[1]) != "check") return {};
+  char** const end = argv + argc;
+  char** const option = std::find(argv + 2, end, std::string_view("--probe"));
+  if (option == end) return {};
+  if (option + 1 == end) throw plumb::InputError({}, "--probe: expected a command after it");
+  argc = static_cast<int>(option - argv);
+  return {option + 1, end};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -40,11 +51,11 @@ int main(int argc, char** argv) {
   plumb::add_render_command(app, action);
   plumb::add_diff_command(app, action);
   plumb::add_grade_command(app, action);
-  plumb::add_check_command(app, action);
   plumb::add_oracle_command(app, action);
   plumb::add_corpus_command(app, action);
   plumb::add_probe_command(app, action);
   try {
+    plumb::add_check_command(app, action, take_probe_command(argc, argv));
     check_verb(app, argc, argv);
     app.parse(argc, argv);
     return action();

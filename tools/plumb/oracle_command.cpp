@@ -90,7 +90,10 @@ void print(const Explanation& explanation) {
 void print(const ExactHit& hit) {
   fmt::print("\nanswer: {}\n", describe(hit));
   for (const ExactCrossing& c : hit.crossings) {
-    fmt::print("  t {} {} .. {}\n", c.t.exact() ? "= " : "in", hex(c.t.below), hex(c.t.above));
+    if (c.t.exact())
+      fmt::print("  t = {} exactly\n", hex(c.t.below));
+    else
+      fmt::print("  t in {} .. {}\n", hex(c.t.below), hex(c.t.above));
     fmt::print("    nearest double {} ({:.17g}), nearest float {} ({:.9g})\n", hex(c.t_double), c.t_double,
                hex(static_cast<double>(c.t_float)), c.t_float);
     fmt::print("    at ({:.17g}, {:.17g}, {:.17g}), normal ({:.17g}, {:.17g}, {:.17g})\n", c.position.x, c.position.y,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <sstream>
 
 #include "renderer/scene_for_tests.h"
 
@@ -63,6 +64,51 @@ TEST(Sphere, OriginOnTheSurfaceIsARootAtZero) {
   EXPECT_EQ(ball().hit({{1, 2, 5}, {0, 0, 1}})->t, 0);
   EXPECT_EQ(ball().hit({{1, 2, 5}, {0, 0, -1}, 1e-6, kInfinity})->t, 4);
   EXPECT_FALSE(ball().hit({{1, 2, 5}, {0, 0, 1}, 1e-6, kInfinity}));
+}
+
+TEST(Sphere, FromAPointOnItTheRootHasTheSignOfTheExactOne) {
+  // Points within a rounding of the surface lie in or out of it by the exact sign of |o - c|^2 - r^2, for which 113
+  // bits do: numbers of 20 bits but for the origin's 53, so that each square is exact, and their sum but for 2^-110.
+  __extension__ using Quad = __float128;
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto few_bits = [&] { return std::round(0x1p16 * u(random)) * 0x1p-16; };
+  int inside = 0, outside = 0, leaving = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Point3 center{few_bits(), few_bits(), few_bits()};
+    const double radius = 1 + std::fabs(few_bits());
+    std::ostringstream element;
+    element.precision(17);
+    element << "<surface type='Sphere'><center>" << center.x << " " << center.y << " " << center.z
+            << "</center><radius>" << radius << "</radius></surface>";
+    const OneSurface sphere(element.str());
+    for (int k = 0; k < 50; ++k) {
+      const Vec3 out = normalized(Vec3{u(random), u(random), u(random)});
+      const Ray ray{center + radius * out, Vec3{u(random), u(random), u(random)}};
+      const Quad x = Quad(ray.origin.x) - center.x, y = Quad(ray.origin.y) - center.y,
+                 z = Quad(ray.origin.z) - center.z;
+      const Quad depth = x * x + y * y + z * z - Quad(radius) * radius;
+      const double outward = dot(out, ray.direction);
+      if (depth == 0 || std::fabs(outward) < 1e-6) continue;  // then a root at zero, or a near tangent
+      const auto hit = sphere.hit(ray);
+      if (depth > 0 && outward > 0) {
+        EXPECT_FALSE(hit) << i << " " << k << ": outside and away";
+        ++leaving;
+      } else if (depth > 0) {
+        ASSERT_TRUE(hit) << i << " " << k;
+        EXPECT_LT(hit->t, 1e-8) << "just outside: the near root";
+        ++outside;
+      } else {
+        ASSERT_TRUE(hit) << i << " " << k << ": no way out of the inside";
+        EXPECT_GT(hit->t, 0);
+        EXPECT_EQ(hit->t<1e-8, outward> 0) << "the root ahead, here or at the far side";
+        ++inside;
+      }
+    }
+  }
+  EXPECT_GT(inside, 4000);
+  EXPECT_GT(outside, 2000);
+  EXPECT_GT(leaving, 2000);
 }
 
 TEST(Sphere, DirectionPerpendicularToTheCenterHasBothRoots) {

@@ -123,19 +123,52 @@ AffineMatrix step_matrix(const TransformStep& step) {
   return identity_matrix();
 }
 
-/// |A1||A2|...|An|, what the roundings of the product scale with.
-AffineMatrix product_bound(std::span<const TransformStep> steps) {
-  AffineMatrix bound = absolute(identity_matrix());
-  for (const TransformStep& step : steps) {
-    if (step.kind == TransformStep::Kind::rotate) {
-      // A rotation is itself a product of three.
-      for (const Vec3& one : {Vec3{0, 0, step.value.z}, Vec3{0, step.value.y, 0}, Vec3{step.value.x, 0, 0}})
-        bound = bound * absolute(rotation_degrees(one));
-    } else {
-      bound = bound * absolute(step_matrix(step));
-    }
+/// What the roundings of a product scale with, in u: |A1||A2|...|An| for those of the product itself, and for each
+/// rotation Ri the sum |A1|...|Ei|...|An| for those of its entries, which are absolute: the cosine of a right angle in
+/// radians is not 0 but 0.6 u. Ei is 1 where cosines and sines stand.
+class ProductBound {
+ public:
+  void multiply(const AffineMatrix& factor) {
+    product_ = product_ * absolute(factor);
+    of_rotations_ = of_rotations_ * absolute(factor);
   }
-  return bound;
+
+  void rotate(int axis, double degrees) {
+    Vec3 angles;
+    angles[axis] = degrees;
+    AffineMatrix off{};
+    for (const int row : {(axis + 1) % 3, (axis + 2) % 3})
+      for (const int column : {(axis + 1) % 3, (axis + 2) % 3})
+        off[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = 1;
+    AffineMatrix own = product_ * off;
+    for (auto& row : own) row[3] = 0;
+    multiply(rotation_degrees(angles));
+    of_rotations_ = sum(of_rotations_, own);
+  }
+
+  AffineMatrix total() const { return sum(product_, of_rotations_); }
+
+ private:
+  static AffineMatrix sum(AffineMatrix a, const AffineMatrix& b) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 4; ++j) a[i][j] += b[i][j];
+    return a;
+  }
+
+  AffineMatrix product_ = identity_matrix(), of_rotations_{};
+};
+
+AffineMatrix product_bound(std::span<const TransformStep> steps) {
+  ProductBound bound;
+  for (const TransformStep& step : steps) {
+    if (step.kind != TransformStep::Kind::rotate) {
+      bound.multiply(step_matrix(step));
+      continue;
+    }
+    // A rotation is itself a product of three.
+    for (const int axis : {2, 1, 0}) bound.rotate(axis, step.value[axis]);
+  }
+  return bound.total();
 }
 
 std::string steps_text(std::span<const TransformStep> steps) {
@@ -171,7 +204,7 @@ class MatrixJudge {
         !certified_inverse_transpose(claimed.world_from_object, transpose))
       return;
     const AffineMatrix exact = absolute(rounded(inverse));
-    const AffineMatrix bound = exact * absolute(claimed.world_from_object) * exact;
+    const AffineMatrix bound = exact * product_bound(steps) * exact;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 4; ++j)
         inverse_.add(claimed.inverse[i][j], inverse[i][j], bound[i][j], u_,

@@ -14,6 +14,8 @@ constexpr double kPerMillion = 1e-6;
 constexpr double kPerThousand = 1e-3;
 constexpr std::int64_t kFewestNearHits = 64;
 constexpr double kNearMisses = 0.75;
+/// Of the hits: more is no coincidence, less may be where another mistake is made too.
+constexpr double kDistances = 0.5;
 
 std::string class_sentence(const ClassCounts& c) {
   if (c.wrong() == 0)
@@ -73,6 +75,14 @@ CheckResult judge_counts(const ClassCounts& counts, const Contract& contract, Ti
          "t is less accurate than the precision allows; the worst case: " + counts.worst.command);
   } else {
     result.margin = allowed - outside;
+  }
+  if (result.verdict == Verdict::fail &&
+      static_cast<double>(counts.distances) > kDistances * static_cast<double>(counts.hits_told)) {
+    result.cause = "t_normalised";
+    result.advice =
+        "t is the distance, not the number of the direction's lengths: the direction was made unit, here or "
+        "in the surface's own space, where it changes t; one case: " +
+        counts.worst.command;
   }
   return result;
 }

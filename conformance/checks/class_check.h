@@ -29,7 +29,8 @@ enum class BoundaryRule { free, judged };
 /// more than
 ///   kNormalAngle, or, by NormalRule::side, points to the other side;
 /// - `t`, where it is judged: median above 4 ulps, or the 99th percentile above 64, over the case's condition; where it
-///   is told, more than one hit per million at another place.
+///   is told, more than one hit per million at another place;
+/// - `t_normalised`, in place of any of these: most hits' t are distances (is_distance).
 /// Whether every answer is right to the last bit (`gold`) and the rates of those that rounding excuses are evidence, no
 /// verdict.
 CheckResult check_family(std::string_view id, Subject& subject, const CheckOptions& options,

@@ -85,6 +85,10 @@ class Asking {
     counts_.hits += truth.crossings.empty() ? 0 : 1;
     counts_.free += judgement.free ? 1 : 0;
     int rank = 0;
+    if (answer.hit() && !truth.crossings.empty()) {
+      ++counts_.hits_told;
+      counts_.distances += is_distance(answer.t, truth.crossings.front(), shape, ray, contract);
+    }
     if (too_.near_hits && judgement.must_report && within_rounding(shape, ray, contract, one.condition, SubjectHit{})) {
       ++counts_.near_hits;
       counts_.near_misses += !answer.hit();
@@ -204,6 +208,7 @@ void add_evidence(const ClassCounts& counts, Evidence& evidence) {
   }
   if (counts.other_places > 0) evidence.emplace_back("t_of_another_place", counts.other_places);
   if (counts.too_large > 0) evidence.emplace_back("left_out_too_large", counts.too_large);
+  if (counts.distances > 0) evidence.emplace_back("t_is_a_distance", counts.distances);
   evidence.emplace_back("t_ulps_median", counts.t_percentile(0.5));
   evidence.emplace_back("t_ulps_p99", counts.t_percentile(0.99));
   evidence.emplace_back("t_ulps_largest", counts.t_percentile(1));

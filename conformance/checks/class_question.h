@@ -34,6 +34,8 @@ struct ClassCounts {
   std::int64_t other_places = 0;
   /// Left out because their coordinates pass the contract's largest.
   std::int64_t too_large = 0;
+  /// Hits where there is one to report; those whose t is a distance (is_distance).
+  std::int64_t hits_told = 0, distances = 0;
   /// Normals that were reported with right hits; those off by more than kNormalAngle; those on the wrong side.
   std::int64_t normals = 0, normals_off = 0, normals_flipped = 0;
   double largest_normal_angle = 0;

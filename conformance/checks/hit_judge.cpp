@@ -65,6 +65,16 @@ double t_error_ulps(double t, const ExactCrossing& crossing, plumb_precision pre
   return std::fabs(t - exact) / last_place(exact, precision);
 }
 
+bool is_distance(double t, const ExactCrossing& crossing, const PlacedShape& shape, const Ray& ray,
+                 const Contract& contract) {
+  const double slack = kAnotherPlace * unit_roundoff(contract.t_precision) * std::fabs(t);
+  const auto near = [&](double other) { return std::fabs(t - other) <= slack; };
+  if (near(crossing.t_double)) return false;
+  if (near(crossing.t_double * length(ray.direction))) return true;
+  if (is_identity(shape.world_from_object)) return false;
+  return near(crossing.t_double * length(Transform(shape.world_from_object).inverse()(ray.direction)));
+}
+
 bool is_another_place(double t, const ExactCrossing& crossing, const PlacedShape& shape, const Ray& ray,
                       const Contract& contract) {
   const double off = std::fabs(t - crossing.t_double);

@@ -46,6 +46,11 @@ AnswerJudgement judge_answer(const ExactHit& truth, const Ray& ray, ShapeKind ki
 /// |t - exact| in units of the last place of the exact value rounded to the precision, which `crossing` holds.
 double t_error_ulps(double t, const ExactCrossing& crossing, plumb_precision precision);
 
+/// Whether t is not the exact one, but that times the direction's length, in world or in object space: the mistake of
+/// who makes a direction unit and forgets that t counts in its lengths. To 2^20 u.
+bool is_distance(double t, const ExactCrossing& crossing, const PlacedShape& shape, const Ray& ray,
+                 const Contract& contract);
+
 /// Whether t is off by more than 2^20 u of what its formulas add up: |t| and the largest distance from the origin to
 /// the shape over the direction's length. That is no rounding of any formula unless the ray grazes the surface at an
 /// angle of some 2^-20, but another place; unlike a number of ulps it means something where the exact t is about zero.

@@ -120,9 +120,9 @@ std::vector<Fault> transform_faults() {
     });
   };
   return {
-      {"M0", "the transformed direction is made unit, which changes t", Verdict::fail, "class",
+      {"M0", "the transformed direction is made unit, which changes t", Verdict::fail, "t_normalised",
        kernel(with_unit_direction)},
-      {"M1", "the transformed direction is made unit, which changes t", Verdict::fail, "class",
+      {"M1", "the transformed direction is made unit, which changes t", Verdict::fail, "t_normalised",
        kernel(with_unit_direction)},
       {"M1", "the inverse is held in float", Verdict::fail, "class", kernel(by_float_inverse)},
       {"M2", "normals carried by the matrix", Verdict::fail, "normal", spoiled([](Formulas& f) {

@@ -27,14 +27,18 @@ CheckResult without_answer(Verdict verdict, const std::string& cause, const std:
   return result;
 }
 
+/// `seconds` on the clock are left for the case, so no answer may take longer.
 std::unique_ptr<Subject> open_door(const SuiteCase& suite_case, const Runner& runner,
-                                   const Workspace::CaseFolder& folder) {
-  if (!runner.kernel.empty())
-    return std::make_unique<KernelSubject>(folder.run / runner.kernel,
-                                           KernelOptions{.memory_bytes = suite_case.memory_mb << 20});
+                                   const Workspace::CaseFolder& folder, double seconds) {
+  if (!runner.kernel.empty()) {
+    KernelOptions options{.memory_bytes = suite_case.memory_mb << 20};
+    options.seconds = std::min(options.seconds, seconds);
+    return std::make_unique<KernelSubject>(folder.run / runner.kernel, options);
+  }
   ProbeCommand command{
       .arguments = runner.probe, .folder = folder.run, .environment = environment(runner, folder.home)};
   command.limits.cpu_seconds = suite_case.cpu_seconds;
+  command.limits.wall_seconds = std::min(command.limits.wall_seconds, seconds);
   command.limits.memory_bytes = suite_case.memory_mb << 20;
   command.limits.output_bytes = suite_case.output_mb << 20;
   return std::make_unique<ProbeSubject>(std::move(command));
@@ -69,8 +73,9 @@ void run_check_case(const SuiteCase& suite_case, const Runner& runner, Workspace
   }
   const Workspace::CaseFolder folder = workspace.make_case_folder(suite_case, runner);
   try {
-    const std::unique_ptr<Subject> door = open_door(suite_case, runner, folder);
-    result.check = ask(suite_case, *door, std::min(suite_case.wall_seconds, seconds_left));
+    const double seconds = std::min(suite_case.wall_seconds, seconds_left);
+    const std::unique_ptr<Subject> door = open_door(suite_case, runner, folder, seconds);
+    result.check = ask(suite_case, *door, seconds);
     if (const auto* probe = dynamic_cast<const ProbeSubject*>(door.get()))
       write_file_staged(results.case_folder(suite_case.id) / "log.txt", probe->failure_log());
     if (const auto* kernel = dynamic_cast<const KernelSubject*>(door.get()))

@@ -123,17 +123,25 @@ AffineMatrix step_matrix(const TransformStep& step) {
   return identity_matrix();
 }
 
-/// |A1||A2|...|An|, what the roundings of the product scale with.
+/// A rotation about one axis, with 1 for both the cosine and the sine: their errors are absolute, as programs that turn
+/// degrees to radians first cannot have a small cosine with a small relative error.
+AffineMatrix rotation_bound(int axis, double degrees) {
+  AffineMatrix bound = identity_matrix();
+  if (degrees == 0) return bound;
+  const auto a = static_cast<std::size_t>((axis + 1) % 3), b = static_cast<std::size_t>((axis + 2) % 3);
+  bound[a][b] = bound[b][a] = 1;
+  return bound;
+}
+
+/// |A1||A2|...|An|, what the roundings of the product scale with. A line of rotation is a product of three.
 AffineMatrix product_bound(std::span<const TransformStep> steps) {
-  AffineMatrix bound = absolute(identity_matrix());
+  AffineMatrix bound = identity_matrix();
   for (const TransformStep& step : steps) {
-    if (step.kind == TransformStep::Kind::rotate) {
-      // A rotation is itself a product of three.
-      for (const Vec3& one : {Vec3{0, 0, step.value.z}, Vec3{0, step.value.y, 0}, Vec3{step.value.x, 0, 0}})
-        bound = bound * absolute(rotation_degrees(one));
-    } else {
+    if (step.kind != TransformStep::Kind::rotate) {
       bound = bound * absolute(step_matrix(step));
+      continue;
     }
+    for (const int axis : {2, 1, 0}) bound = bound * rotation_bound(axis, step.value[axis]);
   }
   return bound;
 }

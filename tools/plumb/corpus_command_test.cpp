@@ -31,7 +31,8 @@ TEST_F(CorpusCommandTest, TheReaderGetsTheFiguresOfTheCheck) {
     EXPECT_EQ(read, id + ": " + figure("rays") + " rays, " + figure("free") + " free, " + figure("false_misses") +
                         " false misses, " + figure("false_hits") + " false hits\n");
     EXPECT_GE(evidence["rays"].get<int>(), 10000);
-    if (id != "T0") EXPECT_GT(evidence["false_misses"].get<int>() + evidence["false_hits"].get<int>(), 100) << id;
+    const int wrong = evidence["false_misses"].get<int>() + evidence["false_hits"].get<int>();
+    EXPECT_TRUE(id == "T0" || wrong > 100) << id;
   }
 }
 

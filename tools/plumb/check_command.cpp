@@ -147,9 +147,15 @@ int check_subject(const Arguments& arguments) {
   request.options.seed = arguments.seed;
   request.command = repeat_command(arguments.subject);
   request.plumb_version = PLUMB_VERSION;
-  const OpenedSubject opened = open_subject(arguments.subject);
-  request.subject_id = opened.id;
-  if (!arguments.json) {
+  request.subject_id = subject_id(arguments.subject);
+  OpenedSubject opened;
+  std::optional<SubjectFailure> failure;
+  try {
+    opened = open_subject(arguments.subject);
+  } catch (const SubjectFailure& error) {
+    failure = error;
+  }
+  if (!arguments.json && !failure) {
     for (const auto& door : opened.doors)
       fmt::print("{}{}{}\n  contract: {}\n", door->name(), door->description().empty() ? "" : ": ", door->description(),
                  to_string(door->contract()));
@@ -166,7 +172,7 @@ int check_subject(const Arguments& arguments) {
   request.done = [&](const CaseResult& result) {
     if (folder) folder->write_case(result);
   };
-  const ResultSet results = run_checks(request, opened.pointers());
+  const ResultSet results = failure ? failed_checks(request, *failure) : run_checks(request, opened.pointers());
   if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\x1b[K");
   if (folder) folder->finish(results);
   return report(arguments, results);

@@ -29,7 +29,6 @@ std::unique_ptr<Subject> probe(std::vector<std::string> command) {
 /// The tracer of ours has both doors: as a kernel it is given matrices and doubles, as a probe scenes.
 OpenedSubject open_own() {
   OpenedSubject opened;
-  opened.id = "plumb";
   opened.doors.push_back(std::make_unique<KernelSubject>(shipped_kernel("plumb")));
   opened.doors.push_back(probe({fs::read_symlink("/proc/self/exe").string(), "probe"}));
   return opened;
@@ -47,22 +46,24 @@ std::vector<Subject*> OpenedSubject::pointers() const {
   return result;
 }
 
+std::string subject_id(const SubjectArguments& arguments) {
+  if (arguments.subject.empty() && arguments.probe.empty())
+    throw InputError(
+        {}, "nothing to check, expected plumb, a shipped kernel, a .so, a folder with --suite, or --probe COMMAND");
+  if (!arguments.subject.empty() && !arguments.probe.empty())
+    throw InputError({}, "both a subject ('" + arguments.subject + "') and --probe are given, expected one of them");
+  if (!arguments.probe.empty()) return fs::path(arguments.probe.front()).filename().string();
+  return fs::path(arguments.subject).stem().string();
+}
+
 OpenedSubject open_subject(const SubjectArguments& arguments) {
+  OpenedSubject opened;
   if (!arguments.probe.empty()) {
-    if (!arguments.subject.empty())
-      throw InputError({}, "both a subject ('" + arguments.subject + "') and --probe are given, expected one of them");
-    OpenedSubject opened;
-    opened.id = fs::path(arguments.probe.front()).filename().string();
     opened.doors.push_back(probe(arguments.probe));
     return opened;
   }
   const std::string& subject = arguments.subject;
-  if (subject.empty())
-    throw InputError(
-        {}, "nothing to check, expected plumb, a shipped kernel, a .so, a folder with --suite, or --probe COMMAND");
   if (subject == "plumb") return open_own();
-  OpenedSubject opened;
-  opened.id = fs::path(subject).stem().string();
   opened.doors.push_back(
       std::make_unique<KernelSubject>(is_library(subject) ? fs::path(subject) : shipped_kernel(subject)));
   return opened;

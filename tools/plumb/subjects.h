@@ -16,15 +16,18 @@ struct SubjectArguments {
   std::vector<std::string> probe;
 };
 
-/// A subject's doors, and how it is called.
+/// How a subject is called in results: its name, or that of its file without the folder. Throws InputError if none or
+/// two are given.
+std::string subject_id(const SubjectArguments& arguments);
+
+/// A subject's doors.
 struct OpenedSubject {
-  std::string id;
   std::vector<std::unique_ptr<Subject>> doors;
   std::vector<Subject*> pointers() const;
 };
 
 /// Throws InputError for a name that is neither shipped nor a file (naming the nearest), and a library that cannot be
-/// loaded.
+/// loaded, and SubjectFailure if it fails where it should only start.
 OpenedSubject open_subject(const SubjectArguments& arguments);
 
 }  // namespace plumb

@@ -12,9 +12,9 @@ extern const CheckKind matrices_check_kind{
         "transpose are those of that matrix.",
     .matters = "Everything in groups stands, turns or is lit wrongly; an inexact inverse moves what is deep in groups.",
     .tolerance =
-        "32 units of u |A1|...|An| for a product and of u |A^-1||A||A^-1| for an inverse at 99 %, which plain "
-        "arithmetic "
-        "keeps; past 2^20 units it is another matrix.",
+        "At 99 % 32 units of u B for a product, where B = |A1|...|An| and as much again for the entries of each "
+        "rotation, and of u |A^-1| B |A^-1| for an inverse, which plain arithmetic keeps; past 2^20 units it is "
+        "another matrix.",
     .run =
         [](Subject& subject, const CheckOptions& options) {
           constexpr std::array<std::string_view, 4> kFamilies{"M0", "M1", "M2", "M3"};

@@ -52,19 +52,21 @@ void row(Grid& grid, const std::string& name, const Kernels& kernels,
   grid.row(std::move(cells));
 }
 
-/// Rows of one of the lists of figures, under a title; nothing where there are none.
+/// Rows of one of the lists of figures, under a title: those that `matters` for a kernel; nothing where there are none.
 template <class Figure>
-void rows(Grid& grid, const std::string& title, const Kernels& kernels, std::vector<Figure> ParetoKernel::*list,
-          const std::function<std::string(const Figure&)>& name,
-          const std::function<std::string(const Figure&)>& cell) {
-  const std::vector<Figure>& first = kernels.front()->*list;
-  if (first.empty()) return;
-  grid.title("\n" + title);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    row(grid, "  " + name(first[i]), kernels, [&](const ParetoKernel& kernel) {
-      const Figure& figure = (kernel.*list)[i];
-      return figure.rays > 0 ? cell(figure) : kNothing;
-    });
+void rows(
+    Grid& grid, const std::string& title, const Kernels& kernels, std::vector<Figure> ParetoKernel::*list,
+    const std::function<std::string(const Figure&)>& name, const std::function<std::string(const Figure&)>& cell,
+    const std::function<bool(const Figure&)>& matters = [](const Figure&) { return true; }) {
+  bool is_first = true;
+  for (std::size_t i = 0; i < (kernels.front()->*list).size(); ++i) {
+    const auto figure_of = [&](const ParetoKernel& kernel) -> const Figure& { return (kernel.*list)[i]; };
+    if (std::ranges::none_of(kernels, [&](const ParetoKernel* kernel) { return matters(figure_of(*kernel)); }))
+      continue;
+    if (is_first) grid.title("\n" + title);
+    is_first = false;
+    row(grid, "  " + name(figure_of(*kernels.front())), kernels,
+        [&](const ParetoKernel& kernel) { return figure_of(kernel).rays > 0 ? cell(figure_of(kernel)) : kNothing; });
   }
 }
 
@@ -96,13 +98,10 @@ void class_rows(Grid& grid, const Kernels& kernels, bool spheres) {
         const std::string both = rate(f.false_misses, f) + "/" + rate(f.false_hits, f);
         return spheres ? both + "/" + rate(f.wrong_crossings, f) : both;
       });
-  const auto has_infinities = [](const ParetoKernel* kernel) {
-    return std::ranges::any_of(kernel->classes, [](const ClassFigure& f) { return f.not_finite > 0; });
-  };
-  if (std::ranges::any_of(kernels, has_infinities)) {
-    rows<ClassFigure>(grid, "  hits whose t is not finite, taken for misses, per million", kernels, list, name,
-                      [&](const ClassFigure& f) { return rate(f.not_finite, f); });
-  }
+  rows<ClassFigure>(
+      grid, "  hits whose t is not finite, taken for misses, per million", kernels, list, name,
+      [&](const ClassFigure& f) { return rate(f.not_finite, f); },
+      [](const ClassFigure& f) { return f.not_finite > 0; });
   if (!spheres) {
     rows<ClassFigure>(grid, "  how far from an edge the farthest wrong ray passes, in u of the kernel", kernels, list,
                       name, [](const ClassFigure& f) { return f.wrong().count > 0 ? number(f.farthest_u) : "none"; });

@@ -41,7 +41,10 @@ double largest_coordinate(const FamilyCase& question) {
   for (const Point3& p : {shape.center, shape.min, shape.max}) extend(p);
   if (shape.mesh)
     for (const Point3& p : shape.mesh->positions) extend(p);
-  for (const Ray& ray : question.rays) extend(ray.origin);
+  for (const Ray& ray : question.rays) {
+    extend(ray.origin);
+    extend(ray.direction);
+  }
   return largest;
 }
 

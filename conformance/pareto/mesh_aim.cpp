@@ -1,5 +1,8 @@
 #include "conformance/pareto/mesh_aim.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "conformance/checks/hit_judge.h"
 #include "conformance/families/closed_meshes.h"
 #include "conformance/families/triangles.h"

@@ -9,18 +9,23 @@ function(plumb_library name)
   target_link_libraries(plumb_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 endfunction()
 
-# plumb_tests(NAME SOURCES... [LIBRARIES libs...] [DEFINES ...])
-#   One GoogleTest program NAME_test; each of its tests is a test of ctest.
+# plumb_tests(NAME SOURCES... [LIBRARIES libs...] [DEFINES ...] [MANY_ALLOCATIONS])
+#   One GoogleTest program NAME_test; each of its tests is a test of ctest. MANY_ALLOCATIONS: exact numbers live on the heap, and the
+#   sanitizer's slow way to trace allocations, which CMakePresets.json asks for to know whose leak is whose, would take minutes.
 function(plumb_tests name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES;DEFINES" ${ARGN})
+  cmake_parse_arguments(arg "MANY_ALLOCATIONS" "" "SOURCES;LIBRARIES;DEFINES" ${ARGN})
   find_package(GTest REQUIRED)
   add_executable(${name}_test ${arg_SOURCES})
   target_link_libraries(${name}_test PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
   target_compile_definitions(${name}_test PRIVATE
     PLUMB_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PLUMB_SHARED_DIR="${PLUMB_SHARED_DIR}"
     PLUMB_PROGRAM="${PROJECT_BINARY_DIR}/bin/plumb" ${arg_DEFINES})
+  set(environment "")
+  if(arg_MANY_ALLOCATIONS)
+    set(environment ENVIRONMENT "ASAN_OPTIONS=fast_unwind_on_malloc=1")
+  endif()
   include(GoogleTest)
-  gtest_discover_tests(${name}_test TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(${name}_test TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ${environment})
 endfunction()
 
 # plumb_kinds(OUT TYPE HEADER NAMESPACE_VARIABLE FILES...)

@@ -125,9 +125,12 @@ AffineMatrix step_matrix(const TransformStep& step) {
 
 /// What the roundings of a product scale with, in u: |A1||A2|...|An| for those of the product itself, and for each
 /// rotation Ri the sum |A1|...|Ei|...|An| for those of its entries, which are absolute: the cosine of a right angle in
-/// radians is not 0 but 0.6 u. Ei is 1 where cosines and sines stand.
+/// radians is not 0 but 0.6 u. Ei is 1 where cosines and sines stand. Two such errors may meet where all of that is 0,
+/// so they are multiplied out: |Ai| + u Ei for each |Ai|.
 class ProductBound {
  public:
+  explicit ProductBound(double u) : u_(u) {}
+
   void multiply(const AffineMatrix& factor) {
     product_ = product_ * absolute(factor);
     of_rotations_ = of_rotations_ * absolute(factor);
@@ -140,26 +143,28 @@ class ProductBound {
     for (const int row : {(axis + 1) % 3, (axis + 2) % 3})
       for (const int column : {(axis + 1) % 3, (axis + 2) % 3})
         off[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = 1;
-    AffineMatrix own = product_ * off;
+    AffineMatrix own = sum(product_, of_rotations_, u_) * off;
     for (auto& row : own) row[3] = 0;
     multiply(rotation_degrees(angles));
-    of_rotations_ = sum(of_rotations_, own);
+    of_rotations_ = sum(of_rotations_, own, 1);
   }
 
-  AffineMatrix total() const { return sum(product_, of_rotations_); }
+  AffineMatrix total() const { return sum(product_, of_rotations_, 1); }
 
  private:
-  static AffineMatrix sum(AffineMatrix a, const AffineMatrix& b) {
+  /// a + times b.
+  static AffineMatrix sum(AffineMatrix a, const AffineMatrix& b, double times) {
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 4; ++j) a[i][j] += b[i][j];
+      for (std::size_t j = 0; j < 4; ++j) a[i][j] += times * b[i][j];
     return a;
   }
 
+  double u_;
   AffineMatrix product_ = identity_matrix(), of_rotations_{};
 };
 
-AffineMatrix product_bound(std::span<const TransformStep> steps) {
-  ProductBound bound;
+AffineMatrix product_bound(std::span<const TransformStep> steps, double u) {
+  ProductBound bound(u);
   for (const TransformStep& step : steps) {
     if (step.kind != TransformStep::Kind::rotate) {
       bound.multiply(step_matrix(step));
@@ -204,7 +209,7 @@ class MatrixJudge {
         !certified_inverse_transpose(claimed.world_from_object, transpose))
       return;
     const AffineMatrix exact = absolute(rounded(inverse));
-    const AffineMatrix bound = exact * product_bound(steps) * exact;
+    const AffineMatrix bound = exact * product_bound(steps, u_) * exact;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 4; ++j)
         inverse_.add(claimed.inverse[i][j], inverse[i][j], bound[i][j], u_,
@@ -258,7 +263,7 @@ class MatrixJudge {
   void judge_world(const SubjectSurface& surface, const std::vector<TransformStep>& steps, const AffineMatrix& claimed,
                    const std::string& command) {
     const EnclosedMatrix exact = certified_product(steps);
-    const AffineMatrix bound = product_bound(steps);
+    const AffineMatrix bound = product_bound(steps, u_);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 4; ++j)
         world_.add(claimed[i][j], exact[i][j], bound[i][j], u_, fmt::format("entry {},{} for {}", i, j, command));
@@ -267,7 +272,7 @@ class MatrixJudge {
 
   bool fits(const std::vector<TransformStep>& steps, const AffineMatrix& claimed) const {
     const AffineMatrix product = rounded(certified_product(steps));
-    const AffineMatrix bound = product_bound(steps);
+    const AffineMatrix bound = product_bound(steps, u_);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 4; ++j)
         if (!(std::fabs(claimed[i][j] - product[i][j]) <= kWarnUnits * u_ * bound[i][j])) return false;

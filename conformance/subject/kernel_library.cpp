@@ -17,8 +17,9 @@ std::string last_error() {
 void KernelLibrary::Close::operator()(void* handle) const { ::dlclose(handle); }
 
 KernelLibrary::KernelLibrary(const std::filesystem::path& library)
-    // A name without a slash would be looked up in the system's folders.
-    : handle_(::dlopen(std::filesystem::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    // A name without a slash would be looked up in the system's folders. The code stays: a kernel may have left threads
+    // behind, and whoever traces memory wants to know whose it was.
+    : handle_(::dlopen(std::filesystem::absolute(library).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
   const SourceLocation where{library.string(), 0, 0};
   if (!handle_) throw InputError(where, "the library cannot be loaded: " + last_error());
   void* entry = ::dlsym(handle_.get(), PLUMB_KERNEL_ENTRY);

@@ -27,11 +27,18 @@ SubjectMatrices matrices_of(const SubjectSurface& surface) {
   return matrices;
 }
 
+std::optional<Vec3> refracted_direction(const Vec3& direction, const Vec3& normal, double from, double to) {
+  const Interface interface { - dot(direction, normal), from, to };
+  const std::optional<double> cosine = refracted_cosine(interface);
+  if (!cosine) return std::nullopt;
+  return refracted(-direction, as_normal(normal), interface, *cosine);
+}
+
 Contract everything() {
   Contract contract;
   contract.shapes = PLUMB_MESHES | PLUMB_SPHERES | PLUMB_BOXES | PLUMB_CYLINDERS | PLUMB_CONES;
   contract.capabilities = PLUMB_TRANSFORMS | PLUMB_ANY_HIT | PLUMB_ALL_HITS | PLUMB_BOUNDS;
-  contract.matrices = contract.fresnel = contract.frame = contract.average_position = true;
+  contract.matrices = contract.fresnel = contract.refract = contract.frame = contract.average_position = true;
   return contract;
 }
 
@@ -50,6 +57,7 @@ Formulas right_formulas() {
               [](double cosine, double from, double to) {
                 return reflectance({cosine, from, to}, Fresnel::exact);
               },
+          .refract = refracted_direction,
           .frame = frame_about};
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Formulas {
   std::function<Bounds3(const SubjectSurface&)> bounds;
   std::function<Point3(const SubjectSurface&)> average_position;
   std::function<double(double cosine, double from, double to)> fresnel;
+  std::function<std::optional<Vec3>(const Vec3& direction, const Vec3& normal, double from, double to)> refract;
   std::function<std::array<Vec3, 3>(const Vec3&)> frame;
 };
 
@@ -50,6 +52,9 @@ class FormulaSubject : public Subject {
   std::vector<SubjectMatrices> matrices() override;
   std::vector<Point3> average_positions() override;
   double fresnel(double cosine, double from, double to) override { return formulas_.fresnel(cosine, from, to); }
+  std::optional<Vec3> refract(const Vec3& direction, const Vec3& normal, double from, double to) override {
+    return formulas_.refract(direction, normal, from, to);
+  }
   std::array<Vec3, 3> frame(const Vec3& direction) override { return formulas_.frame(direction); }
 
  private:

@@ -68,6 +68,20 @@ std::vector<Fault> optics_faults() {
        Right::formulas, 0.05},
       {"F1", "Schlick's approximation, where the exact one was asked", Verdict::fail, "total_reflection",
        fresnel_by(schlick), Right::formulas, 0.05},
+      {"refraction", "the indices swapped", Verdict::fail, "total_reflection", spoiled([](Formulas& f) {
+         f.refract = [right = f.refract](const Vec3& direction, const Vec3& normal, double from, double to) {
+           return right(direction, normal, to, from);
+         };
+       }),
+       Right::formulas, 0.05},
+      {"refraction", "a normal that is turned the other way", Verdict::fail, "direction", spoiled([](Formulas& f) {
+         f.refract = [right = f.refract](const Vec3& direction, const Vec3& normal, double from, double to) {
+           std::optional<Vec3> bent = right(direction, normal, from, to);
+           if (bent) bent = *bent - 2 * dot(*bent, normal) * normal;
+           return bent;
+         };
+       }),
+       Right::formulas, 0.05},
       {"N1", "a cross product with the y axis, straight up too", Verdict::fail, "frame", frame_by(by_the_y_axis),
        Right::formulas, 0.05},
       {"N1", "a cross product that is not made unit", Verdict::fail, "frame", frame_by(not_unit), Right::formulas,

@@ -7,7 +7,7 @@
 #include "meshes/formats/file_bytes.h"
 #include "meshes/mesh_files_for_tests.h"
 #include "meshes/read_mesh.h"
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 
 namespace plumb {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 #include "renderer/image/staged_file.h"
 
 namespace plumb {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 #include "renderer/scene_for_tests.h"
 
 namespace plumb {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 #include "renderer/scene_for_tests.h"
 
 // Lambertian and Phong on a floor whose top is the plane z = 0, and what stands between it and the light.

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "meshes/generators/icosphere.h"
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 #include "renderer/math/rotation.h"
 #include "renderer/scene_for_tests.h"
 

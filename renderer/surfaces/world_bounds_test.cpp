@@ -5,7 +5,7 @@
 #include <random>
 
 #include "meshes/generators/icosphere.h"
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 #include "renderer/scene_for_tests.h"
 
 namespace plumb {

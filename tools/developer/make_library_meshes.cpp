@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "meshes/generators/icosphere.h"
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

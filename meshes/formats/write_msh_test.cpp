@@ -1,4 +1,4 @@
-#include "meshes/write_msh.h"
+#include "meshes/formats/write_msh.h"
 
 #include <gtest/gtest.h>
 

@@ -32,7 +32,7 @@ template <class Runs, class Use>
 void for_each_cell(Runs& runs, const Use& use) {
   use(runs.start);
   for (auto& size : runs.sizes) {
-    for (auto* cell : {&size.low, &size.middle, &size.high, &size.axis_aligned})
+    for (auto* cell : {&size.fewest, &size.low, &size.middle, &size.high, &size.axis_aligned})
       if (!cell->seconds.empty()) use(*cell);
   }
 }
@@ -115,16 +115,14 @@ std::vector<GrowthTimes> times_of(const GrowthRuns& runs) {
   for (const GrowthSizeRuns& size : runs.sizes) {
     GrowthTimes times;
     if (size.is_traced()) {
-      const double rays[] = {size.low.rays, size.middle.rays, size.high.rays};
-      const double seconds[] = {median(size.low.seconds), median(size.middle.seconds), median(size.high.seconds)};
+      const double rays[] = {size.lowest().rays, size.middle.rays, size.high.rays};
+      const double seconds[] = {median(size.lowest().seconds), median(size.middle.seconds), median(size.high.seconds)};
       const Line line = line_through(rays, seconds);
       times.oblique = std::max(line.slope, kLeastGain / (rays[2] - rays[0]));
       times.axis_aligned =
           std::max(median(size.axis_aligned.seconds) - line.intercept, kLeastGain) / size.axis_aligned.rays;
-      times.build = std::max(line.intercept - start, kLeastBuild);
-    } else {
-      times.build = std::max(median(size.low.seconds) - start, kLeastBuild);
     }
+    times.build = std::max(median(size.fewest.seconds) - size.fewest.rays * times.oblique - start, kLeastBuild);
     all.push_back(times);
   }
   return all;

@@ -17,9 +17,13 @@ struct GrowthCell {
 /// All runs on one size of scene.
 struct GrowthSizeRuns {
   double size = 0;
-  /// Three resolutions in the oblique view, ascending, and one in the axis-aligned view. A size that is only timed for
-  /// its building has runs in `low` alone.
-  GrowthCell low, middle, high, axis_aligned;
+  /// In the oblique view, with next to no rays: start-up, reading and building. The others are empty for a size that is
+  /// only timed for its building.
+  GrowthCell fewest;
+  /// Further resolutions in that view, ascending. `low` is empty where `fewest` serves as the lowest of three.
+  GrowthCell low, middle, high;
+  GrowthCell axis_aligned;
+  const GrowthCell& lowest() const { return low.seconds.empty() ? fewest : low; }
   bool is_traced() const { return !high.seconds.empty(); }
 };
 
@@ -39,9 +43,9 @@ struct GrowthTimes {
 };
 
 /// The times of each size, from the median of every cell: a ray costs the slope of the least-squares line of seconds
-/// over rays; what the line has at no rays, less start-up, is building; an axis-aligned ray costs what that view takes
-/// beyond the line's intercept. None is less than what could be told from 0: a ray a hundredth of a second over the
-/// rays that were added, building a millisecond.
+/// over rays through three resolutions; an axis-aligned ray what that view takes beyond the line's intercept; building
+/// is what the run with next to no rays takes less those and start-up. None is less than what could be told from 0: a
+/// ray a hundredth of a second over the rays that were added, building a millisecond.
 std::vector<GrowthTimes> times_of(const GrowthRuns& runs);
 
 struct GrowthSlopes {

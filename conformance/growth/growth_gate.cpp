@@ -48,10 +48,7 @@ class Gate {
             "not decided after {} attempts: the slope lies too near a threshold for what this machine resolves",
             kAttempts));
     } catch (const GrowthUndecided& reason) {
-      if (figures_.trace != GrowthDecision::undecided)
-        figures_.build = build_decision(figures_.building.slope, 0, true);
-      else
-        figures_.notes.push_back(reason.what());
+      figures_.notes.push_back(reason.what());
     }
     figures_.runs = meter_.runs();
     figures_.cpu_seconds = meter_.cpu_seconds();
@@ -96,6 +93,9 @@ class Gate {
 
   /// Size `i` takes too long to be traced.
   void end_sizes(std::size_t i, const GrowthPilot::Result& found) {
+    if (!found.over_limit && !found.too_dear)
+      throw GrowthUndecided(fmt::format("the times with {:.0f} {} differ too much to choose a resolution by",
+                                        settings_.sizes[i], settings_.of));
     const std::string what = fmt::format("the scene with {:.0f} {}", settings_.sizes[i], settings_.of);
     if (i == 0 || settings_.sizes[i - 1] < kSpan * settings_.sizes[0]) {
       if (figures_.attempts > 1) throw GrowthUndecided(what + " took longer than in the attempt before");
@@ -103,10 +103,10 @@ class Gate {
     }
     runs_.sizes.push_back(found.runs);
     runs_.last_is_bound = found.over_limit;
-    if (found.over_limit) runs_.sizes.back().low = {0, {settings_.run_seconds}};
+    if (found.over_limit) runs_.sizes.back().fewest = {0, {settings_.run_seconds}};
     if (figures_.attempts == 1)
       figures_.notes.push_back(fmt::format("{} takes {}{:.3g} s a run: it was timed once, for its building alone", what,
-                                           found.over_limit ? "more than " : "", runs_.sizes.back().low.seconds[0]));
+                                           found.over_limit ? "more than " : "", runs_.sizes.back().fewest.seconds[0]));
   }
 
   CheckResult too_slow(const std::string& what) const {
@@ -129,7 +129,8 @@ class Gate {
     for (const std::size_t i : order) {
       say(i, round);
       GrowthSizeRuns& size = runs_.sizes[i];
-      for (GrowthCell* cell : {&size.low, &size.middle, &size.high}) time(i, GrowthView::oblique, round, *cell);
+      for (GrowthCell* cell : {&size.fewest, &size.low, &size.middle, &size.high})
+        if (cell->rays > 0) time(i, GrowthView::oblique, round, *cell);
       time(i, GrowthView::axis_aligned, round, size.axis_aligned);
     }
   }

@@ -71,6 +71,7 @@ Tally tally(double noise, unsigned outliers, int repeats) {
   for (Known known : known_programs()) {
     known.program.noise = noise, known.program.outliers = outliers;
     for (int i = 0; i < repeats; ++i) {
+      SCOPED_TRACE(known.name + " " + std::to_string(i + 1));
       const auto seed = static_cast<std::uint64_t>(1 + i);
       const GrowthSettings settings{.sizes = kSizes, .seed = seed};
       const GrowthFigures figures = run_growth_gate(settings, asked(known.program, kSizes, seed));

@@ -32,16 +32,18 @@ double guessed_rays(double last, double before, double demand, double otherwise)
 
 }  // namespace
 
-/// More and more rays, until they take `demand` seconds more than none.
+/// More and more rays, until they take `demand` seconds more than none, or more would pass the limit of a run.
 std::optional<TimedRun> GrowthPilot::settle(std::size_t index, GrowthView view, double rays, double base_seconds,
                                             double demand) {
+  std::optional<TimedRun> most;
   for (;;) {
     rays = std::clamp(rays, kFewestRays, kMostRays);
     const std::optional<TimedRun> run = meter_.run(index, view, rays, 0);
-    if (!run) return std::nullopt;
+    if (!run) return most;
+    most = run;
     const double gained = run->seconds - base_seconds;
-    if (gained >= demand || run->rays >= 0.9 * kMostRays) return run;
-    rays = run->rays * std::clamp(1.5 * demand / std::max(gained, demand / 12), 2.0, 16.0);
+    if (gained >= demand || run->rays >= 0.9 * kMostRays) return most;
+    rays = run->rays * std::clamp(1.5 * demand / std::max(gained, demand / 8), 2.0, 8.0);
   }
 }
 
@@ -51,24 +53,26 @@ GrowthPilot::Result GrowthPilot::choose(std::size_t index, double size, double a
   const std::optional<TimedRun> fewest = meter_.run(index, GrowthView::oblique, kFewestRays, 0);
   result.over_limit = !fewest;
   if (!fewest) return result;
-  result.runs.low = cell_of(*fewest);
-  if (fewest->seconds > affordable_seconds) return result;
+  result.runs.fewest = cell_of(*fewest);
+  result.too_dear = fewest->seconds > affordable_seconds;
+  if (result.too_dear) return result;
   const double demand = std::max(least_seconds_, kShareOfFixed * fewest->seconds);
 
   const double first_guess = guessed_rays(last_.oblique, before_.oblique, demand, 4096);
   auto high = settle(index, GrowthView::oblique, first_guess, fewest->seconds, demand);
   if (!high) return result;
   std::optional<TimedRun> low = fewest;
-  if (high->rays / 16 > kFewestRays) low = meter_.run(index, GrowthView::oblique, high->rays / 16, 0);
+  bool is_raised = false;
   auto middle = meter_.run(index, GrowthView::oblique, high->rays / 2, 0);
-  for (int raise = 0; low && middle && raise < kMostRaises && high->rays < kMostRays / 4; ++raise) {
+  for (int raise = 0; middle && raise < kMostRaises && high->rays < kMostRays / 4; ++raise) {
     if (collinear(*low, *middle, *high)) break;
     low = high;
+    is_raised = true;
     high = settle(index, GrowthView::oblique, 4 * low->rays, low->seconds, demand);
     if (!high) return result;
     middle = meter_.run(index, GrowthView::oblique, (low->rays + high->rays) / 2, 0);
   }
-  if (!low || !middle) return result;
+  if (!middle) return result;
   const double slope = std::max(high->seconds - low->seconds, 0.1 * demand) / (high->rays - low->rays);
   const double fixed = std::max(low->seconds - slope * low->rays, 0.0);
   const auto axis =
@@ -77,7 +81,10 @@ GrowthPilot::Result GrowthPilot::choose(std::size_t index, double size, double a
   if (!axis) return result;
   before_ = last_;
   last_ = {slope, std::max(axis->seconds - fixed, 0.1 * demand) / axis->rays, 0};
-  result.runs = {size, cell_of(*low), cell_of(*middle), cell_of(*high), cell_of(*axis)};
+  if (is_raised) result.runs.low = cell_of(*low);
+  result.runs.middle = cell_of(*middle);
+  result.runs.high = cell_of(*high);
+  result.runs.axis_aligned = cell_of(*axis);
   return result;
 }
 

@@ -16,10 +16,13 @@ class GrowthPilot {
   GrowthPilot(GrowthMeter& meter, double least_seconds) : meter_(meter), least_seconds_(least_seconds) {}
 
   struct Result {
-    /// The runs that it was settled with, one in each cell; of a size that takes too long, what is known of it.
+    /// The runs that it was settled with, one in each cell; of a size that takes too long, or whose times make no
+    /// sense, the first of them.
     GrowthSizeRuns runs;
     /// Not even the lowest resolution came to its end within the limit.
     bool over_limit = false;
+    /// It came to its end, but takes more than is affordable.
+    bool too_dear = false;
   };
   /// `affordable_seconds`: for the run at the lowest resolution; one that takes more is not traced.
   Result choose(std::size_t index, double size, double affordable_seconds);

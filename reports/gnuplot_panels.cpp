@@ -177,7 +177,7 @@ std::string lines_script(const FigureText& text, const std::vector<SeriesStyle>&
     data += fmt::format("$line{} << end\n", i);
     for (const LabelledLine::Point& point : lines[i].points) {
       x.extend(point.x), y.extend(point.y);
-      data += fmt::format("{} {} {}\n", point.x, point.y, point.label);
+      data += fmt::format("{} {} \"{}\"\n", point.x, point.y, point.label);
     }
     data += "end\n";
     plots += fmt::format(

@@ -30,6 +30,7 @@ struct LabelledLine {
   std::size_t series = 0;
   struct Point {
     double x = 0, y = 0;
+    /// Without quotes; may be empty.
     std::string label;
   };
   std::vector<Point> points;

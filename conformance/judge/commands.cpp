@@ -24,6 +24,8 @@ std::string filled(std::string text, const CasePaths& paths) {
   replace_all(text, "{scene_name}", paths.scene_name);
   replace_all(text, "{folder}", paths.folder);
   replace_all(text, "{output}", paths.output);
+  replace_all(text, "{width}", std::to_string(paths.width));
+  replace_all(text, "{height}", std::to_string(paths.height));
   return text;
 }
 

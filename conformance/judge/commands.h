@@ -14,6 +14,8 @@ struct CasePaths {
   std::string scene_name;
   std::string folder;
   std::string output;
+  /// Of the picture that is asked for; 0: not known.
+  int width = 0, height = 0;
 };
 
 CasePaths case_paths(const Runner& runner, const SuiteCase& suite_case);

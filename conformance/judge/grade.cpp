@@ -11,6 +11,7 @@
 #include "conformance/compare/judge_picture.h"
 #include "conformance/judge/build_submission.h"
 #include "conformance/judge/run_case.h"
+#include "conformance/judge/run_growth_case.h"
 #include "conformance/judge/workspace.h"
 #include "conformance/results/write_results.h"
 #include "conformance/sandbox/run_process.h"
@@ -49,7 +50,7 @@ void check_request(const GradeRequest& request) {
     throw InputError({request.out.string()},
                      "the submission lies inside the folder for the results, expected --out elsewhere");
   for (const SuiteCase& c : request.suite.cases) {
-    if (c.kind == "check") continue;
+    if (c.kind != "image") continue;
     if (lies_in(c.reference, request.submission))
       throw InputError({c.reference.string()}, "this reference lies inside the submission, which would see it");
     read_reference(c.reference);  // a broken one is found now, not in the middle of a class
@@ -62,7 +63,7 @@ class Grader {
       : request_(request),
         suite_(request.suite),
         results_(request.out, request.plumb_version),
-        selected_(selected_cases(suite_, request.filter)) {}
+        selected_(selected_cases(suite_, request.filter, request.kind)) {}
 
   ResultSet run() {
     set_.suite_id = suite_.id;
@@ -214,7 +215,10 @@ class Grader {
     }
     request_.progress(c.id);
     try {
-      run_case(c, runner_, workspace_, seconds_left(), results_, result);
+      if (c.kind == "growth")
+        growth_gates_.judge(c, runner_, workspace_, seconds_left(), results_, result);
+      else
+        run_case(c, runner_, workspace_, seconds_left(), results_, result);
     } catch (const std::exception& error) {  // our fault: it goes to a person, and the other cases go on
       result.check = internal_error();
       result.internal_message = error.what();
@@ -261,6 +265,7 @@ class Grader {
   Runner runner_;
   bool uses_suite_runner_ = false;
   std::string prepare_message_;
+  GrowthGates growth_gates_{request_.progress};
   ResultSet set_;
 };
 
@@ -281,11 +286,15 @@ std::vector<std::size_t> run_order(const Suite& suite) {
   return order;
 }
 
-std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filter) {
+std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filter, const std::string& kind) {
   std::set<std::size_t> selected;
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < suite.cases.size(); ++i)
-    if (filter.empty() || ::fnmatch(filter.c_str(), suite.cases[i].id.c_str(), 0) == 0) open.push_back(i);
+    if ((kind.empty() || suite.cases[i].kind == kind) &&
+        (filter.empty() || ::fnmatch(filter.c_str(), suite.cases[i].id.c_str(), 0) == 0))
+      open.push_back(i);
+  if (open.empty() && filter.empty())
+    throw InputError({suite.file.string()}, "no case of the suite is of kind " + kind);
   if (open.empty()) throw InputError({}, "--filter: no case of the suite matches '" + filter + "'");
   while (!open.empty()) {
     const std::size_t i = open.back();

@@ -19,6 +19,8 @@ struct GradeRequest {
   std::filesystem::path out;
   /// Only the cases whose id matches this GLOB, and their prerequisites; empty for all.
   std::string filter;
+  /// Only the cases of this kind, and their prerequisites; empty for all.
+  std::string kind;
   std::string plumb_version;
   /// Told what is being done, a short sentence.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
@@ -32,9 +34,9 @@ struct GradeRequest {
 /// inside them, a filter that matches nothing, a program of the suite's commands that is not installed.
 ResultSet grade(const GradeRequest& request);
 
-/// The places of the cases whose id matches a GLOB (all for an empty one), and of those that they require. Throws
-/// InputError if none matches.
-std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filter);
+/// The places of the cases whose id matches a GLOB and whose kind is the given one (all for an empty text), and of
+/// those that they require. Throws InputError if there is none.
+std::set<std::size_t> selected_cases(const Suite& suite, const std::string& filter, const std::string& kind = "");
 
 /// The places of the cases in the order that they are run in.
 std::vector<std::size_t> run_order(const Suite& suite);

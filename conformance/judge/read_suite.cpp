@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -21,7 +23,9 @@ constexpr std::int64_t kMostMegabytes = std::int64_t{1} << 30;
 
 constexpr std::array<std::string_view, 3> kSkippedNames{"zero", "excluded", "manual"};
 constexpr std::array<std::string_view, 4> kVisibilities{"visible", "hidden", "after_due_date", "after_published"};
-constexpr std::array<std::string_view, 2> kKinds{"image", "check"};
+constexpr std::array<std::string_view, 3> kKinds{"image", "check", "growth"};
+constexpr std::array<std::string_view, 2> kMeasures{"trace", "build"};
+constexpr std::array<std::string_view, 5> kMeshFormats{"msh", "obj", "ply", "off", "stl"};
 
 /// Ids name folders of the results, so they are plain file names.
 bool is_plain_name(std::string_view name) {
@@ -158,6 +162,8 @@ class SuiteReader {
     c.kind = one_of(fields, "kind", "image", kKinds);
     if (c.kind == "check")
       read_check(fields, c);
+    else if (c.kind == "growth")
+      read_growth(fields, c);
     else
       read_image(fields, c);
     c.requirement = fields.text("requirement", "");
@@ -197,6 +203,42 @@ class SuiteReader {
     c.intensity = fields.number("intensity", c.intensity, 0.001);
     c.seed = static_cast<std::uint64_t>(fields.integer("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
     c.cpu_seconds = 300;
+  }
+
+  void read_growth(TomlFields& fields, SuiteCase& c) const {
+    if (suite_.has_runner && suite_.runner.render.empty())
+      fields.fail("kind", "is growth, but [runner] has no 'render'");
+    if (!fields.has("measure")) fields.fail("measure", "is missing, expected trace or build");
+    c.measure = one_of(fields, "measure", "", kMeasures);
+    GrowthScenes& g = c.growth;
+    g.scene = c.scene = existing_file(fields, "scene", fields.text("scene"));
+    g.reference_scene = fields.has("reference_scene")
+                            ? existing_file(fields, "reference_scene", fields.text("reference_scene"))
+                            : g.scene;
+    g.object = fields.text("object", "");
+    g.reference_object = fields.text("reference_object", g.object);
+    g.mesh_format = one_of(fields, "mesh_format", g.mesh_format, kMeshFormats);
+    check_template(fields, "scene", g.scene, !g.object.empty());
+    check_template(fields, "reference_scene", g.reference_scene, !g.object.empty());
+    // 64 times the smallest, which takes a gate far; the scene of many objects is long to read.
+    g.largest = fields.number("largest", g.object.empty() ? 256'000 : 64'000, 64'000);
+    g.tolerance = fields.number("tolerance", g.tolerance, 0);
+    g.wrong_share = fields.number("wrong_share", g.wrong_share, 0);
+    g.budget_seconds = fields.number("budget_seconds", g.budget_seconds, 1);
+    if (fields.has("seed"))
+      g.seed = static_cast<std::uint64_t>(fields.integer("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
+    c.inputs = {g.scene};
+    if (g.reference_scene != g.scene) c.inputs.push_back(g.reference_scene);
+    c.cpu_seconds = 60;
+  }
+
+  /// A template that never says what is to grow would give every size the same scene.
+  static void check_template(const TomlFields& fields, std::string_view key, const fs::path& file, bool of_objects) {
+    std::ifstream stream(file);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    const std::string needed = of_objects ? "{objects}" : "{mesh}";
+    if (text.find(needed) == std::string::npos)
+      fields.fail(key, "names the template '" + file.string() + "', which does not hold " + needed);
   }
 
   /// Inputs lie beside the scene, so two of one name would overwrite each other.

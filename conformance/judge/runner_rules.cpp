@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kRenderNames{"scene", "scene_name", "folder", "output"};
+constexpr std::array<std::string_view, 6> kRenderNames{"scene", "scene_name", "folder", "output", "width", "height"};
 constexpr std::array<std::string_view, 3> kOutputNames{"scene", "scene_name", "folder"};
 constexpr std::array<std::string_view, 1> kBuildNames{"sources:GLOB"};
 constexpr std::string_view kSources = "{sources:";

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 namespace plumb {
 
 /// How a submission is built and run. Commands are argument lists; no shell reads them. In them stand for something:
+/// `{width}` and `{height}` (render only): of the picture that is asked for;
 /// `{sources:GLOB}` (build only, a whole argument): the matching files of the submission, by name;
 /// `{scene}` the scene's path and `{folder}` its folder, relative to where the program runs; `{scene_name}` its file
 /// name;
@@ -30,6 +32,27 @@ struct Runner {
 /// What a skipped case counts: no points, not at all, or as a person decides.
 enum class SkippedPolicy { zero, excluded, manual };
 
+/// kind growth: what the scenes of the growth gate are made from (docs/growth-gate.md). Cases that are equal in all of
+/// it share one gate.
+struct GrowthScenes {
+  /// A template of the subject's scene, absolute; `SuiteCase::scene` holds the same file.
+  std::filesystem::path scene;
+  /// A template in our own dialect, for the reference; the scene itself where that is in it.
+  std::filesystem::path reference_scene;
+  /// A template of one object, in the subject's dialect and in ours; both empty where the scene is one mesh.
+  std::string object, reference_object;
+  /// The ending of the mesh file: `msh`, `obj`, `ply`, `off`, `stl`.
+  std::string mesh_format = "msh";
+  /// The largest scene has at least so many triangles or objects.
+  double largest = 0;
+  double tolerance = 3;
+  double wrong_share = 0.02;
+  double budget_seconds = 300;
+  /// None: another one each time, so that nothing can be prepared.
+  std::optional<std::uint64_t> seed;
+  friend bool operator==(const GrowthScenes&, const GrowthScenes&) = default;
+};
+
 /// One thing that is asked of a submission: input files, a command (the runner's) and a reference picture.
 struct SuiteCase {
   std::string id;
@@ -38,6 +61,9 @@ struct SuiteCase {
   std::string filter;
   double intensity = 1;
   std::uint64_t seed = 1;
+  /// kind growth: which of the gate's two decisions, `trace` or `build`.
+  std::string measure;
+  GrowthScenes growth;
   /// kind image, as the rest. Copied beside the scene; absolute. The scene is among them.
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path scene;

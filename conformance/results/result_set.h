@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/results/growth_results.h"
 #include "conformance/sandbox/run_outcome.h"
 #include "conformance/verdict.h"
 
@@ -32,6 +33,8 @@ struct CaseResult {
   std::string repeat;
   /// The run, where there was one; everything in it was measured.
   std::optional<RunOutcome> run;
+  /// kind growth: what the gate measured.
+  std::optional<GrowthFigures> growth;
   /// For internal_error: what went wrong, with the paths and whatever else differs from machine to machine.
   std::string internal_message;
   /// Distance to a limit of time or memory; stands beside the measurements.

@@ -73,6 +73,36 @@ std::string host_name() {
   return name.c_str();
 }
 
+Json curve_json(const GrowthCurve& curve) {
+  Json json;
+  json["name"] = curve.name;
+  json["slope"] = {
+      {"value", number(curve.slope.slope)}, {"low", number(curve.slope.low)}, {"high", number(curve.slope.high)}};
+  json["points"] = Json::array();
+  for (const GrowthPoint& point : curve.points)
+    json["points"].push_back({{"size", number(point.size)}, {"seconds", number(point.seconds)}});
+  return json;
+}
+
+Json growth_json(const GrowthFigures& growth) {
+  Json json;
+  json["of"] = growth.of;
+  json["trace"] = to_string(growth.trace);
+  json["build"] = to_string(growth.build);
+  json["views"] = Json::array();
+  for (const GrowthCurve& view : growth.views) json["views"].push_back(curve_json(view));
+  json["building"] = curve_json(growth.building);
+  json["start_seconds"] = number(growth.start_seconds);
+  json["attempts"] = growth.attempts;
+  json["rounds"] = growth.rounds;
+  json["runs"] = growth.runs;
+  json["cpu_seconds"] = number(growth.cpu_seconds);
+  json["wall_seconds"] = number(growth.wall_seconds);
+  json["seed"] = growth.seed;
+  json["notes"] = growth.notes;
+  return json;
+}
+
 Json usage_json(const CaseResult& c) {
   Json json;
   json["schema"] = kSchema;
@@ -88,6 +118,7 @@ Json usage_json(const CaseResult& c) {
     json["log_bytes_dropped"] = run.log_bytes_dropped;
     json["active_limits"] = run.active_limits;
   }
+  if (c.growth) json["growth"] = growth_json(*c.growth);
   if (!c.internal_message.empty()) json["internal_message"] = c.internal_message;
   if (c.measured_margin) json["margin"] = number(*c.measured_margin);
   json["host"] = {{"name", host_name()}, {"processors", std::thread::hardware_concurrency()}};

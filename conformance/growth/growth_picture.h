@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "conformance/verdict.h"
+#include "renderer/scene.h"
+
+namespace plumb {
+
+/// How near a picture must come to the reference to be timed.
+struct GrowthTolerance {
+  /// Levels (or 1/255 linear, for EXR) by which a channel may differ,
+  double levels = 3;
+  /// and the share of the pixels that may differ by more: edges fall on either side.
+  double share = 0.02;
+};
+
+/// Whether a program rendered the scene in full: its picture must be valid and of the scene's size, and in tiles at
+/// random places (4096 pixels in all, or the whole of a smaller picture) equal to our own rendering within the
+/// tolerance. One that was rendered smaller and enlarged, or kept from another size, differs in most. `bad_picture`,
+/// `wrong_size`, `not_finite`, `different`; pass. The file must exist.
+CheckResult check_growth_picture(const std::filesystem::path& picture, const Scene& scene,
+                                 const GrowthTolerance& tolerance, std::uint64_t seed);
+
+}  // namespace plumb

@@ -53,4 +53,21 @@ struct GrowthFigures {
   std::vector<std::string> notes;
 };
 
+/// One decision of a gate about a program that is known.
+struct CalibrationDecision {
+  std::string subject;
+  /// The case of the suite: `mesh-trace`.
+  std::string gate;
+  /// Whether other programs ran at the same time.
+  bool loaded = false;
+  GrowthDecision expected = GrowthDecision::undecided, found = GrowthDecision::undecided;
+  /// Verdict and cause, as in results.
+  std::string verdict, cause;
+  double slope = 0;
+  /// Of the whole gate, on the clock.
+  double seconds = 0;
+  int attempts = 0;
+  std::uint64_t seed = 0;
+};
+
 }  // namespace plumb

@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kInterrupted = 130;
-
 /// The longest that the cases may take, by their limits.
 double longest_seconds(const Suite& suite, const std::set<std::size_t>& cases) {
   double seconds = suite.build_seconds;
@@ -30,13 +28,6 @@ double longest_seconds(const Suite& suite, const std::set<std::size_t>& cases) {
     seconds += c.kind == "growth" ? c.growth.budget_seconds : c.wall_seconds;
   }
   return std::min(seconds, suite.total_seconds);
-}
-
-void stop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupt_flag() = true; };
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
 }
 
 /// Cases that share a gate share its figures: they are said once, and drawn beside each.
@@ -55,6 +46,13 @@ void report_growth(const ResultSet& results, const fs::path& gnuplot, const fs::
 }
 
 }  // namespace
+
+void stop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupt_flag() = true; };
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
 
 fs::path default_results(const fs::path& submission) {
   return fs::path("plumb-results") / fs::weakly_canonical(submission).filename();

@@ -77,8 +77,7 @@ struct MeshChecking {
 };
 
 /// Requires indices in range and finite numbers, as read_mesh gives, and fewer than 2^32 / 3 triangles (throws
-/// std::length_error). Any shape will do. Beside the mesh, it needs about 80 bytes a triangle at its peak (140 if
-/// triangles share no vertices).
+/// std::length_error). Any shape will do. Beside the mesh, it needs about 90 bytes a triangle at its peak.
 MeshReport check_mesh(const TriangleMesh& mesh, const MeshChecking& options = {});
 
 /// A finding in words, with its count and examples: `3 edges have one triangle only: ... (at triangles 4, 7)`.

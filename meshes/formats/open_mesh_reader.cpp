@@ -5,8 +5,6 @@
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
 #include <OpenMesh/Core/IO/reader/PLYReader.hh>
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
-#include <OpenMesh/Core/System/omstream.hh>
-#include <mutex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -14,6 +12,7 @@
 
 #include "meshes/formats/file_bytes.h"
 #include "meshes/formats/mesh_collector.h"
+#include "meshes/formats/open_mesh_turn.h"
 #include "meshes/formats/prepare.h"
 #include "renderer/math/input_error.h"
 
@@ -90,21 +89,6 @@ class CollectingImporter final : public IO::BaseImporter {
   std::vector<std::uint32_t> vertices_;
 };
 
-/// Keeps a message stream of OpenMesh silent while it lives.
-class Silence {
- public:
-  explicit Silence(mostream& stream) : stream_(stream), was_enabled_(stream.is_enabled()) { stream_.disable(); }
-  ~Silence() {
-    if (was_enabled_) stream_.enable();
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  mostream& stream_;
-  bool was_enabled_;
-};
-
 PreparedMesh prepare(const std::string& ending, const std::string& content, const std::string& file) {
   if (ending == ".obj") return prepare_obj(content, file);
   if (ending == ".ply") return prepare_ply(content, file);
@@ -126,7 +110,6 @@ bool run_reader(const std::string& ending, const std::string& file, std::istream
 }  // namespace
 
 TriangleMesh read_with_open_mesh(const std::filesystem::path& path) {
-  static std::mutex one_at_a_time;
   const std::string file = path.string();
   const std::string ending = lower_case_ending(path);
   PreparedMesh prepared = prepare(ending, file_bytes(path), file);
@@ -139,8 +122,7 @@ TriangleMesh read_with_open_mesh(const std::filesystem::path& path) {
   std::istringstream in(std::move(prepared.bytes));
   bool was_read = false;
   try {
-    const std::scoped_lock lock(one_at_a_time);
-    const Silence errors(omerr()), log(omlog());
+    const OpenMeshTurn turn;
     was_read = run_reader(ending, file, in, importer, options);
   } catch (const std::ios_base::failure&) {
   }

@@ -11,15 +11,19 @@
 
 namespace plumb {
 
+void require_mesh_ending(const std::filesystem::path& file) {
+  const std::string ending = lower_case_ending(file);
+  if (ending == ".msh" || ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl") return;
+  throw InputError({file.string()},
+                   "the ending '" + ending + "' names no mesh format; expected .msh, .obj, .ply, .off or .stl");
+}
+
 MeshLosses write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file, const MeshWriting& options) {
+  require_mesh_ending(file);
   const std::string ending = lower_case_ending(file);
   if (ending == ".msh") {
     write_msh(mesh, file, options.progress);
     return {};
-  }
-  if (ending != ".obj" && ending != ".ply" && ending != ".off" && ending != ".stl") {
-    throw InputError({file.string()},
-                     "the ending '" + ending + "' names no mesh format; expected .msh, .obj, .ply, .off or .stl");
   }
   require_sound(mesh);
   MeshLosses losses = losses_of(mesh, ending, file);

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
+#include "meshes/mesh_notes.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
@@ -33,7 +34,7 @@ class Rounded {
   void say(MeshLosses& losses) const {
     if (changed_ == 0) return;
     losses.sentences.push_back(std::to_string(changed_) + " of " + std::to_string(numbers_) + " " + kind_ +
-                               " rounded to single precision, by at most " + number(largest_, "%.2g"));
+                               " rounded to single precision, by at most " + rounded_up(largest_));
   }
 
  private:
@@ -41,6 +42,12 @@ class Rounded {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), format, x);
     return text.data();
+  }
+  /// With two digits.
+  static std::string rounded_up(double x) {
+    std::string text = number(x, "%.2g");
+    for (double larger = x; std::strtod(text.c_str(), nullptr) < x; text = number(larger, "%.2g")) larger *= 1.01;
+    return text;
   }
   [[noreturn]] void refuse(double x) const {
     throw InputError({file_.string()}, "of the " + kind_ + ", " + number(x, "%.17g") +
@@ -53,10 +60,6 @@ class Rounded {
   std::size_t numbers_ = 0, changed_ = 0;
   double largest_ = 0;
 };
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 std::size_t unused_vertices(const TriangleMesh& mesh) {
   std::vector<bool> used(mesh.positions.size());

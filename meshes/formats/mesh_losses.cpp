@@ -50,7 +50,7 @@ class Rounded {
     return text;
   }
   [[noreturn]] void refuse(double x) const {
-    throw InputError({file_.string()}, "of the " + kind_ + ", " + number(x, "%.17g") +
+    throw InputError({file_.string()}, "of the " + kind_ + ", " + number(x, "%.9g") +
                                            " does not fit the single precision of this format; expected numbers up "
                                            "to 3.4e38, or a file in .msh");
   }

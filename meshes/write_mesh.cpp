@@ -30,7 +30,7 @@ MeshLosses write_mesh(const TriangleMesh& mesh, const std::filesystem::path& fil
   StagedMeshFile staged(file);
   if (ending == ".stl") {
     write_stl(mesh, options.text, staged.stream(), options.progress);
-  } else if (!write_with_open_mesh(mesh, ending, options.text, staged.stream(), options.progress)) {
+  } else if (!write_with_open_mesh(mesh, ending, options.text, staged.stream(), options.progress) && staged.stream()) {
     throw InputError({file.string()}, "OpenMesh cannot write the mesh; expected one that its format can hold");
   }
   staged.commit();

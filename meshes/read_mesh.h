@@ -2,15 +2,16 @@
 
 #include <filesystem>
 
+#include "meshes/mesh_notes.h"
 #include "meshes/triangle_mesh.h"
 
 namespace plumb {
 
-/// Reads a mesh file in the format that its ending names, in any case: `.msh` as read_msh does, `.obj`,
-/// `.ply`, `.off` and `.stl` as read_with_open_mesh does. In the result every index is below the number of
+/// Reads a mesh file in the format that its ending names, in any case: `.msh` as read_msh does, `.stl` as read_stl
+/// does, `.obj`, `.ply` and `.off` as read_with_open_mesh does. In the result every index is below the number of
 /// vertices and every number is finite. Throws InputError for another ending, a file that cannot be read,
 /// and contents that are not what the format says; no size in a file makes it allocate more than a small
-/// multiple of the file's length.
-TriangleMesh read_mesh(const std::filesystem::path& file);
+/// multiple of the file's length. `notes`, if given, is set to what the file says beside the mesh.
+TriangleMesh read_mesh(const std::filesystem::path& file, MeshNotes* notes = nullptr);
 
 }  // namespace plumb

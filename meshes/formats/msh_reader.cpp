@@ -158,8 +158,11 @@ class MshReader {
 
 }  // namespace
 
-TriangleMesh read_msh(const std::filesystem::path& file) {
+TriangleMesh read_msh(const std::filesystem::path& file, MeshNotes& notes) {
   const std::string text = file_bytes(file);
+  const std::size_t line_end = text.find('\n');
+  const bool is_crlf = line_end != std::string::npos && line_end > 0 && text[line_end - 1] == '\r';
+  notes.format = is_crlf ? "MSH, text with CRLF" : "MSH, text";
   return MshReader(text, file.string()).read();
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "meshes/mesh_notes.h"
 #include "meshes/triangle_mesh.h"
 
 namespace plumb {
@@ -11,6 +12,7 @@ namespace plumb {
 /// `texcoords` (two numbers a vertex) and `normals` (three), in any order, each at most once. Words are
 /// separated by any white space; numbers are decimal, with or without a sign, and keep double precision.
 /// Both counts may be 0. Throws InputError with the line and column of the first word that is wrong.
-TriangleMesh read_msh(const std::filesystem::path& file);
+/// Nothing is left out, so the notes have only the format.
+TriangleMesh read_msh(const std::filesystem::path& file, MeshNotes& notes);
 
 }  // namespace plumb

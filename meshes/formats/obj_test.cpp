@@ -99,7 +99,39 @@ TEST(Obj, RefusesFacesThatOpenMeshWouldMisread) {
             "m.obj:7:7: the corner '3/1/1/1' has more than three parts; expected v, v/vt, v//vn or v/vt/vn");
   EXPECT_EQ(refused(kQuad + "f 1 2"), "m.obj:5:1: a face of 2 corners; expected three or more");
   EXPECT_EQ(refused(kQuad + "f"), "m.obj:5:1: a face of 0 corners; expected three or more");
-  EXPECT_EQ(refused(kQuad + "f 1 2 1 3"), "m.obj:5:1: the face has vertex 1 twice; expected different corners");
+}
+
+TEST(Obj, KeepsFacesThatHaveAVertexTwice) {
+  const TriangleMesh mesh =
+      read_text("m.obj", kQuad + "vn 0 0 1\nvn 0 1 0\nf 1//1 1//1 2//1\nf 3//1 4//2 3//2\nf 4//2 4//2 4//2\n");
+  EXPECT_EQ(mesh.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 0, 1}, {2, 3, 4}, {3, 3, 3}}));
+  EXPECT_EQ(mesh.positions.size(), 5u);
+  EXPECT_EQ(mesh.positions[4], mesh.positions[2]);
+  EXPECT_EQ(mesh.normals, (std::vector<Normal3>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}}));
+}
+
+TEST(Obj, NotesWhatIsLeftOut) {
+  MeshNotes notes;
+  read_mesh(write_test_file(
+                "m.obj",
+                "mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0.12345678901\nv 0 1 0\nvt 0 0 0\nvn 0 0 1\nvn "
+                "0 1 0\ng a\nusemtl b\nf 1/1/1 2/1/1 3/1/1 4/1/1\nusemtl c\nf 1/1 2/1 3/1 # no\n"),
+            &notes);
+  EXPECT_EQ(notes.format, "OBJ, text");
+  EXPECT_EQ(notes.polygons, 1u);
+  EXPECT_EQ(notes.sentences,
+            (std::vector<std::string>{
+                "statements that are not kept: 1 'g', 1 'mtllib', 2 'usemtl'",
+                "colours or weights of 2 vertices are not kept", "the third number of 1 texture coordinate is not kept",
+                "normals are not kept, because only 4 of 7 corners have one", "1 normal of no corner: not kept",
+                "1 number is rounded to single precision, which holds fewer digits",
+                "1 face of more than three corners is cut into triangles around the first corner"}));
+  read_mesh(write_test_file("m.obj", kQuad + "vn 0 0 1\nvn 0 1 0\nf 1//1 2//1 3//1\nf 1//2 2//1 3//1\n"), &notes);
+  EXPECT_EQ(notes.sentences,
+            (std::vector<std::string>{
+                "1 vertex is added, because corners of a vertex differ in normal or texture coordinate"}));
+  read_mesh(write_test_file("m.obj", kQuad + "# nothing else\nf 1 2 3\n"), &notes);
+  EXPECT_TRUE(notes.sentences.empty());
 }
 
 }  // namespace

@@ -95,5 +95,19 @@ TEST(Off, RefusesAWrongBinary) {
             "m.off: 1 bytes follow the last face; expected the end of the file");
 }
 
+TEST(Off, NotesWhatIsLeftOut) {
+  MeshNotes notes;
+  read_mesh(write_test_file("m.off",
+                            "COFF\n4 2 0\n0 0 0 255 0 0\n1 0 0 255 0 0\n1 1 0.12345678901 255 0 0\n0 1 0 255 0 0\n4 0 "
+                            "1 2 3\n3 0 1 2 9 9 9\n"),
+            &notes);
+  EXPECT_EQ(notes.format, "OFF, text");
+  EXPECT_EQ(notes.sentences,
+            (std::vector<std::string>{
+                "colours, or other further numbers, of 4 vertices are not kept", "colours of 1 face are not kept",
+                "1 number is rounded to single precision, which holds fewer digits",
+                "1 face of more than three corners is cut into triangles around the first corner"}));
+}
+
 }  // namespace
 }  // namespace plumb

@@ -4,9 +4,6 @@
 #include <OpenMesh/Core/IO/reader/OBJReader.hh>
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
 #include <OpenMesh/Core/IO/reader/PLYReader.hh>
-#include <OpenMesh/Core/IO/reader/STLReader.hh>
-#include <OpenMesh/Core/System/omstream.hh>
-#include <mutex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -14,6 +11,7 @@
 
 #include "meshes/formats/file_bytes.h"
 #include "meshes/formats/mesh_collector.h"
+#include "meshes/formats/open_mesh_turn.h"
 #include "meshes/formats/prepare.h"
 #include "renderer/math/input_error.h"
 
@@ -26,10 +24,14 @@ using namespace OpenMesh;
 /// cannot hold every mesh: it would split vertices and drop faces.
 class CollectingImporter final : public IO::BaseImporter {
  public:
-  explicit CollectingImporter(MeshCollector& collector) : collector_(collector) {}
+  CollectingImporter(MeshCollector& collector, const PreparedMesh& prepared)
+      : collector_(collector), prepared_(prepared) {}
 
-  VertexHandle add_vertex(const Vec3f& p) override { return handle(collector_.add_vertex({p[0], p[1], p[2]})); }
-  VertexHandle add_vertex() override { return handle(collector_.add_vertex({})); }
+  VertexHandle add_vertex(const Vec3f& p) override {
+    if (collector_.vertices() < prepared_.vertices) return handle(collector_.add_vertex({p[0], p[1], p[2]}));
+    return handle(static_cast<std::uint32_t>(prepared_.vertices + stand_ins_++));
+  }
+  VertexHandle add_vertex() override { return add_vertex(Vec3f(0.F)); }
   void set_point(VertexHandle v, const Vec3f& p) override { collector_.set_position(index(v), {p[0], p[1], p[2]}); }
   void set_normal(VertexHandle v, const Vec3f& n) override { collector_.set_normal(index(v), {n[0], n[1], n[2]}); }
   void set_normal(VertexHandle v, const Vec3d& n) override { collector_.set_normal(index(v), {n[0], n[1], n[2]}); }
@@ -41,10 +43,9 @@ class CollectingImporter final : public IO::BaseImporter {
     return FaceHandle(static_cast<int>(collector_.add_face(vertices_)));
   }
 
-  void reserve(unsigned int vertices, unsigned int, unsigned int faces) override {
-    collector_.reserve(vertices, faces);
-  }
-  size_t n_vertices() const override { return collector_.vertices(); }
+  /// Already done, with numbers that have been checked.
+  void reserve(unsigned int, unsigned int, unsigned int) override {}
+  size_t n_vertices() const override { return collector_.vertices() + stand_ins_; }
   size_t n_faces() const override { return collector_.faces(); }
   size_t n_edges() const override { return 0; }
 
@@ -84,38 +85,28 @@ class CollectingImporter final : public IO::BaseImporter {
  private:
   static VertexHandle handle(std::uint32_t vertex) { return VertexHandle(static_cast<int>(vertex)); }
   /// A handle that is not valid becomes an index that is out of range.
-  static std::uint32_t index(VertexHandle v) { return static_cast<std::uint32_t>(v.idx()); }
+  std::uint32_t index(VertexHandle v) const {
+    const auto vertex = static_cast<std::uint32_t>(v.idx());
+    const std::size_t stand_in = vertex - prepared_.vertices;
+    const bool stands_in = vertex >= prepared_.vertices && stand_in < prepared_.stand_ins.size();
+    return stands_in ? prepared_.stand_ins[stand_in] : vertex;
+  }
 
   MeshCollector& collector_;
+  const PreparedMesh& prepared_;
+  std::size_t stand_ins_ = 0;
   std::vector<std::uint32_t> vertices_;
 };
 
-/// Keeps a message stream of OpenMesh silent while it lives.
-class Silence {
- public:
-  explicit Silence(mostream& stream) : stream_(stream), was_enabled_(stream.is_enabled()) { stream_.disable(); }
-  ~Silence() {
-    if (was_enabled_) stream_.enable();
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  mostream& stream_;
-  bool was_enabled_;
-};
-
-PreparedMesh prepare(const std::string& ending, const std::string& content, const std::string& file) {
+PreparedMesh prepare(const std::string& ending, std::string content, const std::string& file) {
   if (ending == ".obj") return prepare_obj(content, file);
   if (ending == ".ply") return prepare_ply(content, file);
-  if (ending == ".off") return prepare_off(content, file);
-  return prepare_stl(content, file);
+  return prepare_off(std::move(content), file);
 }
 
 bool run_reader(const std::string& ending, const std::string& file, std::istream& in, IO::BaseImporter& importer,
                 IO::Options& options) {
   if (ending == ".obj") return IO::OBJReader().read(in, importer, options);
-  if (ending == ".stl") return IO::STLReader().read(in, importer, options);
   // These two read what their first lines promise without a look at the stream's state.
   in.exceptions(std::ios::failbit | std::ios::badbit);
   if (ending == ".ply") return IO::PLYReader().read(in, importer, options);
@@ -125,30 +116,38 @@ bool run_reader(const std::string& ending, const std::string& file, std::istream
 
 }  // namespace
 
-TriangleMesh read_with_open_mesh(const std::filesystem::path& path) {
-  static std::mutex one_at_a_time;
+TriangleMesh read_with_open_mesh(const std::filesystem::path& path, MeshNotes& notes) {
   const std::string file = path.string();
   const std::string ending = lower_case_ending(path);
   PreparedMesh prepared = prepare(ending, file_bytes(path), file);
   const bool of_corners = ending == ".obj";
   MeshCollector collector(file,
                           of_corners ? MeshCollector::Attributes::kOfCorners : MeshCollector::Attributes::kOfVertices);
-  CollectingImporter importer(collector);
-  IO::Options options = IO::Options::VertexNormal | IO::Options::VertexTexCoord;
-  if (prepared.binary) options += IO::Options::Binary;
-  std::istringstream in(std::move(prepared.bytes));
+  collector.reserve(prepared.vertices, prepared.triangles);
   bool was_read = false;
-  try {
-    const std::scoped_lock lock(one_at_a_time);
-    const Silence errors(omerr()), log(omlog());
-    was_read = run_reader(ending, file, in, importer, options);
-  } catch (const std::ios_base::failure&) {
+  {
+    CollectingImporter importer(collector, prepared);
+    IO::Options options = IO::Options::VertexNormal | IO::Options::VertexTexCoord;
+    if (prepared.binary) options += IO::Options::Binary;
+    std::istringstream in(std::move(prepared.bytes));  // the bytes go before the mesh is finished
+    try {
+      const OpenMeshTurn turn;
+      was_read = run_reader(ending, file, in, importer, options);
+    } catch (const std::ios_base::failure&) {
+    }
   }
   if (!was_read || collector.faces() != prepared.faces) {
     throw InputError({file}, "OpenMesh reads " + std::to_string(collector.faces()) + " of " +
                                  std::to_string(prepared.faces) + " faces; expected a file that it reads whole");
   }
-  return collector.finish();
+  TriangleMesh mesh = collector.finish();
+  notes = std::move(prepared.notes);
+  if (const std::size_t repeated = mesh.positions.size() - prepared.vertices; repeated > 0) {
+    notes.sentences.push_back(
+        counted(repeated, "vertex is added, because corners", "vertices are added, because corners") +
+        " of a vertex differ in normal or texture coordinate");
+  }
+  return mesh;
 }
 
 }  // namespace plumb

@@ -2,21 +2,22 @@
 
 #include <filesystem>
 
+#include "meshes/mesh_notes.h"
 #include "meshes/triangle_mesh.h"
 
 namespace plumb {
 
-/// Reads an OBJ, PLY, OFF or STL file, by its ending, through the readers of OpenMesh. Vertices, faces and
+/// Reads an OBJ, PLY or OFF file, by its ending, through the readers of OpenMesh. Vertices, faces and
 /// their order are kept as in the file, non-manifold or not; a face of more than three corners becomes a
 /// fan around its first. Numbers have single precision, which is all that OpenMesh reads of them.
 ///
 /// Normals and texture coordinates are kept where every vertex has them. In OBJ they belong to the corners
 /// of faces: a vertex whose corners disagree is repeated behind the vertices of the file, once for each
 /// further pair that its corners have; they are kept where every corner has them, and a vertex of no face
-/// gets zeros. STL has no shared vertices: OpenMesh joins equal corners. Its facet normals are not used.
+/// gets zeros. What is left out, and repeated vertices, stand in the notes.
 ///
 /// Throws InputError for what the preparation in `prepare.h` refuses. Reads one file at a time, because the
 /// readers of OpenMesh are global objects; other threads wait.
-TriangleMesh read_with_open_mesh(const std::filesystem::path& file);
+TriangleMesh read_with_open_mesh(const std::filesystem::path& file, MeshNotes& notes);
 
 }  // namespace plumb

@@ -26,7 +26,7 @@ double as(const std::array<char, 8>& raw) {
 PlyNumbers::PlyNumbers(const std::string& content, std::string file, const TextCursor& at_body, PlyFormat format)
     : content_(content), file_(std::move(file)), text_(at_body), format_(format), offset_(at_body.position()) {}
 
-double PlyNumbers::next(PlyType type) {
+double PlyNumbers::take(PlyType type) {
   if (format_ == PlyFormat::kText) {
     word_ = text_.next();
     if (word_.empty()) fail("the file ends; expected as many numbers as its header says");
@@ -57,6 +57,10 @@ double PlyNumbers::next(PlyType type) {
       break;
   }
   return as<double>(raw);
+}
+
+bool PlyNumbers::is_rounded_to(float value) const {
+  return format_ == PlyFormat::kText ? is_rounded(word_, value) : double{value} != last_;
 }
 
 void PlyNumbers::expect_end() {

@@ -16,19 +16,24 @@ class PlyNumbers {
 
   /// The next number; text ignores the type. Not finite only where a binary file says so. Throws InputError
   /// at the end of the file and for a word that is no finite number.
-  double next(PlyType type);
+  double next(PlyType type) { return last_ = take(type); }
+  /// Whether the number taken last says more than the float nearest to it: of a text as is_rounded tells.
+  bool is_rounded_to(float value) const;
   /// Throws InputError unless all numbers have been taken.
   void expect_end();
   /// Throws InputError, in a text at the number taken last.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
+  double take(PlyType type);
+
   const std::string& content_;
   std::string file_;
   TextCursor text_;
   std::string_view word_;
   PlyFormat format_;
   std::size_t offset_;
+  double last_ = 0;
 };
 
 }  // namespace plumb

@@ -166,5 +166,32 @@ TEST(Ply, RefusesAWrongBinaryBody) {
             "m.ply: 1 bytes follow the last element; expected the end of the file");
 }
 
+TEST(Ply, NotesWhatIsLeftOut) {
+  MeshNotes notes;
+  read_mesh(
+      write_test_file(
+          "m.ply",
+          "ply\nformat ascii 1.0\ncomment none\nelement vertex 4\nproperty double x\nproperty float y\nproperty float "
+          "z\nproperty uchar red\nproperty float nx\nelement face 1\nproperty list uchar int "
+          "vertex_indices\nproperty int material\nelement edge 2\nproperty int a\nend_header\n"
+          "0.12345678901 0 0 255 1\n1 0 0 255 1\n1 1 0 255 1\n0 1.1 0 255 1\n4 0 1 2 3 7\n1 2\n"),
+      &notes);
+  EXPECT_EQ(notes.format, "PLY, text");
+  EXPECT_EQ(notes.sentences, (std::vector<std::string>{
+                                 "of 4 vertices, these properties are not kept: red, nx",
+                                 "of 1 face, these properties are not kept: material",
+                                 "the element 'edge', of which there are 2, is not kept",
+                                 "1 number is rounded to single precision, which holds fewer digits",
+                                 "1 face of more than three corners is cut into triangles around the first corner"}));
+  read_mesh(write_test_file("m.ply",
+                            "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty double x\nproperty float "
+                            "y\nproperty float z\nend_header\n" +
+                                std::string("\x3f\xb9\x99\x99\x99\x99\x99\x9a", 8) + std::string(8, '\0')),
+            &notes);
+  EXPECT_EQ(notes.format, "PLY, binary, big-endian");
+  EXPECT_EQ(notes.sentences,
+            (std::vector<std::string>{"1 number is rounded to single precision, which holds fewer digits"}));
+}
+
 }  // namespace
 }  // namespace plumb

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "meshes/formats/prepare.h"
@@ -48,16 +49,31 @@ class OffText {
     end_of_line("the end of the line");
     need_bytes(vertex_word, "vertices", 2 * header_.numbers() * std::uint64_t{vertices});
     need_bytes(face_word, "faces", 2 * header_.numbers() * std::uint64_t{vertices} + 8 * std::uint64_t{faces});
+    prepared_.bytes.reserve(cursor_.bytes_left() + 64);
     prepared_.bytes = "OFF\n" + std::to_string(vertices) + " " + std::to_string(faces) + " 0\n";
     for (std::uint32_t i = 0; i < vertices; ++i) keep_vertex(i, vertices);
     for (std::uint32_t i = 0; i < faces; ++i) keep_face(i, faces, vertices);
     if (const std::string_view word = next_line_word(); !word.empty())
       cursor_.fail(word, quoted(word) + " follows the last face; expected the end of the file");
+    prepared_.vertices = vertices;
     prepared_.faces = faces;
+    note();
     return std::move(prepared_);
   }
 
  private:
+  void note() {
+    prepared_.notes.format = "OFF, text";
+    auto& sentences = prepared_.notes.sentences;
+    if (colored_vertices_ > 0) {
+      sentences.push_back("colours, or other further numbers, of " + counted(colored_vertices_, "vertex", "vertices") +
+                          " are not kept");
+    }
+    if (colored_faces_ > 0)
+      sentences.push_back("colours of " + counted(colored_faces_, "face", "faces") + " are not kept");
+    if (cursor_.rounded() > 0) sentences.push_back(rounding_note(cursor_.rounded()));
+  }
+
   /// The first word of the next line that has one; empty at the end of the file.
   std::string_view next_line_word() {
     std::string_view word = cursor_.next_in_line('#');
@@ -93,6 +109,7 @@ class OffText {
     }
     if (words_.size() < header_.numbers())
       cursor_.single(word, std::to_string(header_.numbers()) + " numbers of a vertex");
+    if (words_.size() > header_.numbers()) ++colored_vertices_;
     const std::size_t front = header_.normals ? 6 : 3;
     for (std::size_t i = 0; i < words_.size(); ++i) {
       const bool is_texcoord = header_.texcoords && i + 2 >= words_.size();
@@ -108,6 +125,8 @@ class OffText {
     const std::uint32_t corners = cursor_.whole(word, "the number of corners");
     if (corners < 3) cursor_.fail(word, "a face of " + std::to_string(corners) + " corners; expected three or more");
     prepared_.bytes += std::to_string(corners);
+    prepared_.triangles += corners - 2;
+    if (corners > 3) ++prepared_.notes.polygons;
     for (std::uint32_t i = 0; i < corners; ++i) {
       const std::string_view corner = cursor_.next_in_line('#');
       const std::uint32_t index = cursor_.whole(corner, "a vertex index");
@@ -116,18 +135,20 @@ class OffText {
                                  std::to_string(vertices) + " vertices");
       prepared_.bytes.append(" ").append(std::to_string(index));
     }
-    for (std::string_view rest = cursor_.next_in_line('#'); !rest.empty(); rest = cursor_.next_in_line('#'))
-      cursor_.number(rest, "a colour or the end of the line");
+    std::string_view rest = cursor_.next_in_line('#');
+    if (!rest.empty()) ++colored_faces_;
+    for (; !rest.empty(); rest = cursor_.next_in_line('#')) cursor_.number(rest, "a colour or the end of the line");
     prepared_.bytes += '\n';
   }
 
   TextCursor cursor_;
   OffHeader header_;
   std::vector<std::string_view> words_;
+  std::size_t colored_vertices_ = 0, colored_faces_ = 0;
   PreparedMesh prepared_;
 };
 
-/// Checks the little-endian numbers behind the first line; the bytes stay as they are.
+/// Checks the little-endian numbers behind the first line; the bytes stay as they are, and in the content.
 class OffBinary {
  public:
   OffBinary(const std::string& content, const std::string& file, std::size_t offset)
@@ -146,10 +167,13 @@ class OffBinary {
       if (!std::isfinite(next<float>()))
         fail("a number of vertex " + std::to_string(i / header.numbers()) + " is not finite; expected finite numbers");
     }
+    PreparedMesh prepared;
     for (std::uint32_t face = 0; face < faces; ++face) {
       const std::uint32_t corners = next<std::uint32_t>();
       if (corners < 3)
         fail("face " + std::to_string(face) + " has " + std::to_string(corners) + " corners; expected three or more");
+      prepared.triangles += corners - 2;
+      if (corners > 3) ++prepared.notes.polygons;
       for (std::uint32_t i = 0; i < corners; ++i) {
         if (const std::uint32_t index = next<std::uint32_t>(); index >= vertices) {
           fail("face " + std::to_string(face) + " names vertex " + std::to_string(index) +
@@ -159,7 +183,11 @@ class OffBinary {
     }
     if (offset_ != content_.size())
       fail(std::to_string(content_.size() - offset_) + " bytes follow the last face; expected the end of the file");
-    return {content_, faces, true};
+    prepared.vertices = vertices;
+    prepared.faces = faces;
+    prepared.binary = true;
+    prepared.notes.format = "OFF, binary, little-endian";
+    return prepared;
   }
 
  private:
@@ -182,7 +210,7 @@ class OffBinary {
 
 }  // namespace
 
-PreparedMesh prepare_off(const std::string& content, const std::string& file) {
+PreparedMesh prepare_off(std::string&& content, const std::string& file) {
   TextCursor cursor(content, file);
   const OffHeader header = parse_header(cursor, cursor.next_in_line());
   TextCursor ahead = cursor;
@@ -191,7 +219,9 @@ PreparedMesh prepare_off(const std::string& content, const std::string& file) {
   if (header.colors)
     cursor.fail(variant, "binary OFF with colours has no agreed layout; expected OFF, NOFF, STOFF or STNOFF");
   ahead.next_line();
-  return OffBinary(content, file, ahead.position()).prepare(header);
+  PreparedMesh prepared = OffBinary(content, file, ahead.position()).prepare(header);
+  prepared.bytes = std::move(content);
+  return prepared;
 }
 
 }  // namespace plumb

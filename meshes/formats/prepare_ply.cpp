@@ -30,6 +30,7 @@ class PlyPreparer {
       cursor_.fail_at_end("the header has no element vertex before its faces; expected one with x, y and z");
     }
     vertices_ = vertex->count;
+    prepared_.vertices = vertices_;
     find_sources(*vertex, face);
     write_header(face == nullptr ? 0 : face->count);
     for (const PlyElement& element : header_.elements) {
@@ -45,10 +46,41 @@ class PlyPreparer {
       }
     }
     numbers_.expect_end();
+    note(vertex, face);
     return std::move(prepared_);
   }
 
  private:
+  void note(const PlyElement* vertex, const PlyElement* face) {
+    MeshNotes& notes = prepared_.notes;
+    notes.format = header_.format == PlyFormat::kText           ? "PLY, text"
+                   : header_.format == PlyFormat::kLittleEndian ? "PLY, binary, little-endian"
+                                                                : "PLY, binary, big-endian";
+    for (const PlyElement& element : header_.elements) {
+      if (element.count == 0) continue;
+      if (&element != vertex && &element != face) {
+        notes.sentences.push_back("the element " + quoted(element.name) + ", of which there " +
+                                  (element.count == 1 ? "is " : "are ") + std::to_string(element.count) +
+                                  ", is not kept");
+        continue;
+      }
+      std::string names;
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const bool kept = &element == vertex
+                              ? std::find(sources_.begin(), sources_.end(), std::optional(p)) != sources_.end()
+                              : corners_ == p;
+        if (!kept) names.append(names.empty() ? "" : ", ").append(element.properties[p].name);
+      }
+      if (!names.empty()) {
+        notes.sentences.push_back("of " +
+                                  (&element == vertex ? counted(element.count, "vertex", "vertices")
+                                                      : counted(element.count, "face", "faces")) +
+                                  ", these properties are not kept: " + names);
+      }
+    }
+    if (rounded_ > 0) notes.sentences.push_back(rounding_note(rounded_));
+  }
+
   const PlyElement* find_element(std::string_view name) const {
     const auto found = std::find_if(header_.elements.begin(), header_.elements.end(),
                                     [&](const PlyElement& e) { return e.name == name; });
@@ -103,6 +135,7 @@ class PlyPreparer {
         numbers_.fail(std::string(property.name) + " of vertex " + std::to_string(vertex) +
                       " is not finite; expected a finite number of single precision");
       }
+      if (numbers_.is_rounded_to(value)) ++rounded_;
       kept[static_cast<std::size_t>(slot - sources_.begin())] = value;
     }
     for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -122,6 +155,8 @@ class PlyPreparer {
         numbers_.fail("face " + std::to_string(face) + " has " + std::to_string(corners) +
                       " corners; expected three or more");
       }
+      prepared_.triangles += corners - 2;
+      if (corners > 3) ++prepared_.notes.polygons;
       append(corners);
       for (std::uint32_t i = 0; i < corners; ++i) {
         const std::uint32_t index = whole(property.type, element, face, "a vertex index");
@@ -161,6 +196,7 @@ class PlyPreparer {
   const TextCursor& cursor_;
   PlyNumbers numbers_;
   std::uint32_t vertices_ = 0;
+  std::size_t rounded_ = 0;
   std::array<std::optional<std::size_t>, 8> sources_;
   std::optional<std::size_t> corners_;
   PreparedMesh prepared_;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
+#include "meshes/mesh_notes.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
@@ -60,11 +62,16 @@ double TextCursor::number(std::string_view word, std::string_view expected) cons
   return value;
 }
 
-double TextCursor::single(std::string_view word, std::string_view expected) const {
-  const double value = number(word, expected);
-  if (!std::isfinite(static_cast<float>(value))) {
-    fail(word, quoted(word) + " does not fit single precision; expected " + std::string(expected));
+float TextCursor::single(std::string_view word, std::string_view expected) {
+  const std::string_view digits = without_plus(word);
+  float value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    value = static_cast<float>(number(word, expected));  // too small for a float, or wrong
+    if (!std::isfinite(value))
+      fail(word, quoted(word) + " does not fit single precision; expected " + std::string(expected));
   }
+  if (is_rounded(word, value)) ++rounded_;
   return value;
 }
 
@@ -106,6 +113,22 @@ bool parse_whole(std::string_view word, std::uint32_t& value) {
   word = without_plus(word);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   return error == std::errc() && end == word.data() + word.size();
+}
+
+bool is_rounded(std::string_view word, float value) {
+  constexpr std::ptrdiff_t kDigits = std::numeric_limits<float>::max_digits10;
+  if (word.size() <= kDigits) return false;
+  const std::string_view mantissa = word.substr(0, word.find_first_of("eE"));
+  const std::size_t first = mantissa.find_first_of("123456789"), last = mantissa.find_last_of("123456789");
+  if (first == std::string_view::npos) return false;
+  const std::string_view significant = mantissa.substr(first, last - first + 1);
+  const std::ptrdiff_t digits = std::ssize(significant) - std::count(significant.begin(), significant.end(), '.');
+  double exact = 0;
+  return digits > kDigits && parse_number(word, exact) && exact != double{value};
+}
+
+std::string rounding_note(std::size_t rounded) {
+  return counted(rounded, "number is", "numbers are") + " rounded to single precision, which holds fewer digits";
 }
 
 }  // namespace plumb

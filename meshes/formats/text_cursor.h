@@ -30,8 +30,10 @@ class TextCursor {
   /// The finite number that `word` spells in decimal, with or without a sign. Otherwise throws InputError
   /// at the word: what is wrong with it, and that `expected` was expected.
   double number(std::string_view word, std::string_view expected) const;
-  /// As `number`; also refuses what does not fit single precision.
-  double single(std::string_view word, std::string_view expected) const;
+  /// As `number`, rounded to single precision; also refuses what does not fit that.
+  float single(std::string_view word, std::string_view expected);
+  /// How many of the numbers that `single` gave have more digits than single precision holds (see is_rounded).
+  std::size_t rounded() const { return rounded_; }
   /// The whole number from 0 to 4294967295 that `word` spells; otherwise InputError as `number`.
   std::uint32_t whole(std::string_view word, std::string_view expected) const;
 
@@ -43,7 +45,7 @@ class TextCursor {
  private:
   std::string_view text_;
   std::string file_;
-  std::size_t position_ = 0;
+  std::size_t position_ = 0, rounded_ = 0;
 };
 
 /// `word` between quotes, cut after 40 bytes.
@@ -53,5 +55,11 @@ std::string quoted(std::string_view word);
 bool parse_number(std::string_view word, double& value);
 /// The same for a whole number from 0 to 4294967295.
 bool parse_whole(std::string_view word, std::uint32_t& value);
+
+/// Whether the number that `word` spells says more than the float nearest to it: it has more than nine significant
+/// digits, which tell any two floats apart, and is not that float.
+bool is_rounded(std::string_view word, float value);
+/// What to note of numbers that were rounded so; there must be some.
+std::string rounding_note(std::size_t rounded);
 
 }  // namespace plumb

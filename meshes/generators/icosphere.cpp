@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
+
+#include "meshes/generators/progress_steps.h"
+#include "renderer/math/input_error.h"
 
 namespace plumb {
 namespace {
@@ -53,27 +55,40 @@ TriangleMesh icosahedron() {
 /// Numbers the midpoints of edges, each edge once whichever of its faces asks first.
 class Midpoints {
  public:
-  Midpoints(std::vector<Point3>& positions, std::size_t edges) : positions_(positions) { of_edge_.reserve(edges); }
+  Midpoints(std::vector<Point3>& positions, std::size_t edges) : positions_(positions), of_lower_(positions.size()) {
+    positions.reserve(positions.size() + edges);
+  }
 
   std::uint32_t between(std::uint32_t a, std::uint32_t b) {
-    const std::uint64_t edge = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
-    const auto [found, is_new] = of_edge_.try_emplace(edge, static_cast<std::uint32_t>(positions_.size()));
-    if (is_new) positions_.push_back(on_sphere(from_origin(positions_[a]) + from_origin(positions_[b])));
-    return found->second;
+    // At most six edges meet in a vertex of an icosphere: a short list at the lower end of each edge.
+    for (Edge& edge : of_lower_[std::min(a, b)]) {
+      if (edge.upper == std::max(a, b)) return edge.middle;
+      if (edge.upper != kNone) continue;
+      edge = {std::max(a, b), static_cast<std::uint32_t>(positions_.size())};
+      positions_.push_back(on_sphere(from_origin(positions_[a]) + from_origin(positions_[b])));
+      return edge.middle;
+    }
+    throw std::logic_error("icosphere: seven edges meet in a vertex");
   }
 
  private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Edge {
+    std::uint32_t upper = kNone, middle = kNone;
+  };
   std::vector<Point3>& positions_;
-  std::unordered_map<std::uint64_t, std::uint32_t> of_edge_;
+  std::vector<std::array<Edge, 6>> of_lower_;
 };
 
 }  // namespace
 
-TriangleMesh icosphere(int subdivisions) {
+TriangleMesh icosphere(int subdivisions, const std::function<void(double)>& progress) {
   if (subdivisions < 0 || subdivisions > 10) {
     throw std::invalid_argument("icosphere: " + std::to_string(subdivisions) + " subdivisions; expected 0 to 10");
   }
   TriangleMesh mesh = icosahedron();
+  // 20 + 80 + ... faces are cut in all, and the normals are one step more.
+  ProgressSteps steps(progress, 20 * ((std::uint64_t{1} << (2 * subdivisions)) - 1) / 3 + 1);
   for (int level = 0; level < subdivisions; ++level) {
     Midpoints midpoints(mesh.positions, mesh.triangles.size() * 3 / 2);
     std::vector<Triangle> finer;
@@ -83,11 +98,22 @@ TriangleMesh icosphere(int subdivisions) {
       const std::uint32_t bc = midpoints.between(b, c);
       const std::uint32_t ca = midpoints.between(c, a);
       finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+      steps.step();
     }
     mesh.triangles = std::move(finer);
   }
+  mesh.normals.reserve(mesh.positions.size());
   for (const Point3& p : mesh.positions) mesh.normals.push_back({p.x, p.y, p.z});
+  steps.step();
   return mesh;
+}
+
+int icosphere_subdivisions(std::uint64_t triangles) {
+  std::uint64_t has = 20;
+  int subdivisions = 0;
+  for (; has < triangles && subdivisions < 11; ++subdivisions) has *= 4;
+  if (subdivisions > 10) throw InputError({}, "an icosphere has at most 20971520 triangles, expected no more");
+  return subdivisions;
 }
 
 }  // namespace plumb

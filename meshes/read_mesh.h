@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "meshes/triangle_mesh.h"
 
@@ -12,5 +13,8 @@ namespace plumb {
 /// and contents that are not what the format says; no size in a file makes it allocate more than a small
 /// multiple of the file's length.
 TriangleMesh read_mesh(const std::filesystem::path& file);
+/// The same for the content of a file; its name gives the ending, and is for messages. An OFF file has to be there,
+/// because OpenMesh opens it to learn its kind.
+TriangleMesh parse_mesh(std::string content, const std::filesystem::path& file);
 
 }  // namespace plumb

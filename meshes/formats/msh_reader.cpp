@@ -158,9 +158,8 @@ class MshReader {
 
 }  // namespace
 
-TriangleMesh read_msh(const std::filesystem::path& file) {
-  const std::string text = file_bytes(file);
-  return MshReader(text, file.string()).read();
-}
+TriangleMesh parse_msh(std::string_view text, const std::string& file) { return MshReader(text, file).read(); }
+
+TriangleMesh read_msh(const std::filesystem::path& file) { return parse_msh(file_bytes(file), file.string()); }
 
 }  // namespace plumb

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "meshes/triangle_mesh.h"
 
@@ -12,5 +14,7 @@ namespace plumb {
 /// separated by any white space; numbers are decimal, with or without a sign, and keep double precision.
 /// Both counts may be 0. Throws InputError with the line and column of the first word that is wrong.
 TriangleMesh read_msh(const std::filesystem::path& file);
+/// The same for the content of a file; its name is for messages.
+TriangleMesh parse_msh(std::string_view text, const std::string& file);
 
 }  // namespace plumb

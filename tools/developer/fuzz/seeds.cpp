@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::filesystem::path folder = argv[1];
+  std::filesystem::remove_all(folder);  // a fuzzer adds what it found, and its next run is to be the same
   int files = 0;
   const auto write = [&](const std::string& format, const std::string& name, const std::string& bytes) {
     std::filesystem::create_directories(folder / format);

@@ -42,8 +42,8 @@ TriangleMesh loop_subdivided(const TriangleMesh& mesh) {
   for (const auto v : half_edges.vertices()) {
     const auto& p = half_edges.point(v);
     // OpenMesh leaves a vertex of no triangle at a place that it never set.
-    finer.positions.push_back(v.is_isolated() ? mesh.positions[static_cast<std::size_t>(v.idx())]
-                                              : Point3{p[0], p[1], p[2]});
+    finer.positions.push_back(half_edges.is_isolated(v) ? mesh.positions[static_cast<std::size_t>(v.idx())]
+                                                        : Point3{p[0], p[1], p[2]});
   }
   finer.triangles.reserve(half_edges.n_faces());
   for (const auto f : half_edges.faces()) {

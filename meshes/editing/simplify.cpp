@@ -1,6 +1,10 @@
 #include "meshes/editing/simplify.h"
 
+// QuadricT.hh uses the first without including it.
+// clang-format off
+#include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
+// clang-format on
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <OpenMesh/Tools/Decimater/Observer.hh>

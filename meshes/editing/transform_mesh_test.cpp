@@ -35,14 +35,16 @@ TEST(TransformMesh, KeepsNormalsUnitAtTheEndsOfTheRangeAndZeroOnesZero) {
   }
 }
 
-/// Whether every triangle of a convex mesh around `middle`, and the normals of its corners, face away from it.
+/// Whether every triangle of an ellipsoid around `middle`, and the normals of its corners, face away from it.
 bool faces_outward(const TriangleMesh& mesh, const Point3& middle) {
   for (const auto& t : mesh.triangles) {
     const Point3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
     const Vec3 front = cross(b - a, c - a);
     if (!(dot(front, a - middle) > 0)) return false;
     for (const std::uint32_t v : t) {
-      if (!(dot(mesh.normals[v], front) > 0) || std::fabs(length(as_vector(mesh.normals[v])) - 1) > 1e-15) return false;
+      if (!(dot(mesh.normals[v], mesh.positions[v] - middle) > 0) ||
+          std::fabs(length(as_vector(mesh.normals[v])) - 1) > 1e-15)
+        return false;
     }
   }
   return true;

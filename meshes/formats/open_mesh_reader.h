@@ -19,8 +19,8 @@ namespace plumb {
 /// Throws InputError for what the preparation in `prepare.h` refuses. Reads one file at a time, because the
 /// readers of OpenMesh are global objects; other threads wait.
 TriangleMesh read_with_open_mesh(const std::filesystem::path& file);
-/// The same for the content of a file; its name gives the ending, and is for messages. OpenMesh opens an OFF file of that
-/// name to learn its kind.
+/// The same for the content of a file; its name gives the ending, and is for messages. OpenMesh opens an OFF file of
+/// that name to learn its kind.
 TriangleMesh parse_with_open_mesh(std::string content, const std::filesystem::path& file);
 
 }  // namespace plumb

@@ -7,25 +7,29 @@
 #include "meshes/formats/msh_reader.h"
 #include "meshes/formats/open_mesh_reader.h"
 #include "meshes/formats/stl_reader.h"
-#include "renderer/math/input_error.h"
+#include "meshes/write_mesh.h"
 
 namespace plumb {
 namespace {
 
-TriangleMesh read(const std::filesystem::path& file, MeshNotes& notes) {
+TriangleMesh read(std::string content, const std::filesystem::path& file, MeshNotes& notes) {
   const std::string ending = lower_case_ending(file);
-  if (ending == ".msh") return read_msh(file, notes);
-  if (ending == ".stl") return read_stl(file, notes);
-  if (ending == ".obj" || ending == ".ply" || ending == ".off") return read_with_open_mesh(file, notes);
-  throw InputError({file.string()},
-                   "the ending '" + ending + "' names no mesh format; expected .msh, .obj, .ply, .off or .stl");
+  if (ending == ".msh") return read_msh(content, file.string(), notes);
+  if (ending == ".stl") return read_stl(content, file.string(), notes);
+  return read_with_open_mesh(std::move(content), file, notes);
 }
 
 }  // namespace
 
 TriangleMesh read_mesh(const std::filesystem::path& file, MeshNotes* notes) {
+  require_mesh_ending(file);  // before a file of gigabytes is read for nothing
+  return parse_mesh(file_bytes(file), file, notes);
+}
+
+TriangleMesh parse_mesh(std::string content, const std::filesystem::path& file, MeshNotes* notes) {
+  require_mesh_ending(file);
   MeshNotes found;
-  TriangleMesh mesh = read(file, found);
+  TriangleMesh mesh = read(std::move(content), file, found);
   if (found.polygons > 0) {
     found.sentences.push_back(
         counted(found.polygons, "face of more than three corners is cut", "faces of more than three corners are cut") +

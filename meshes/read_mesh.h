@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "meshes/mesh_notes.h"
 #include "meshes/triangle_mesh.h"
@@ -13,5 +14,8 @@ namespace plumb {
 /// and contents that are not what the format says; no size in a file makes it allocate more than a small
 /// multiple of the file's length. `notes`, if given, is set to what the file says beside the mesh.
 TriangleMesh read_mesh(const std::filesystem::path& file, MeshNotes* notes = nullptr);
+/// The same for the content of a file; its name gives the ending, and is for messages. An OFF file has to be there,
+/// because OpenMesh opens it to learn its kind.
+TriangleMesh parse_mesh(std::string content, const std::filesystem::path& file, MeshNotes* notes = nullptr);
 
 }  // namespace plumb

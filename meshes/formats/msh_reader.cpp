@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "meshes/formats/file_bytes.h"
 #include "meshes/formats/text_cursor.h"
 #include "renderer/math/nearest_name.h"
 
@@ -158,12 +157,11 @@ class MshReader {
 
 }  // namespace
 
-TriangleMesh read_msh(const std::filesystem::path& file, MeshNotes& notes) {
-  const std::string text = file_bytes(file);
+TriangleMesh read_msh(std::string_view text, const std::string& file, MeshNotes& notes) {
   const std::size_t line_end = text.find('\n');
-  const bool is_crlf = line_end != std::string::npos && line_end > 0 && text[line_end - 1] == '\r';
+  const bool is_crlf = line_end != std::string_view::npos && line_end > 0 && text[line_end - 1] == '\r';
   notes.format = is_crlf ? "MSH, text with CRLF" : "MSH, text";
-  return MshReader(text, file.string()).read();
+  return MshReader(text, file).read();
 }
 
 }  // namespace plumb

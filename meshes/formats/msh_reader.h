@@ -1,6 +1,7 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "meshes/mesh_notes.h"
 #include "meshes/triangle_mesh.h"
@@ -12,7 +13,7 @@ namespace plumb {
 /// `texcoords` (two numbers a vertex) and `normals` (three), in any order, each at most once. Words are
 /// separated by any white space; numbers are decimal, with or without a sign, and keep double precision.
 /// Both counts may be 0. Throws InputError with the line and column of the first word that is wrong.
-/// Nothing is left out, so the notes have only the format.
-TriangleMesh read_msh(const std::filesystem::path& file, MeshNotes& notes);
+/// Nothing is left out, so the notes have only the format. `text` is the content of a file; its name is for messages.
+TriangleMesh read_msh(std::string_view text, const std::string& file, MeshNotes& notes);
 
 }  // namespace plumb

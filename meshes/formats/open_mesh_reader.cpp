@@ -116,10 +116,10 @@ bool run_reader(const std::string& ending, const std::string& file, std::istream
 
 }  // namespace
 
-TriangleMesh read_with_open_mesh(const std::filesystem::path& path, MeshNotes& notes) {
+TriangleMesh read_with_open_mesh(std::string content, const std::filesystem::path& path, MeshNotes& notes) {
   const std::string file = path.string();
   const std::string ending = lower_case_ending(path);
-  PreparedMesh prepared = prepare(ending, file_bytes(path), file);
+  PreparedMesh prepared = prepare(ending, std::move(content), file);
   const bool of_corners = ending == ".obj";
   MeshCollector collector(file,
                           of_corners ? MeshCollector::Attributes::kOfCorners : MeshCollector::Attributes::kOfVertices);

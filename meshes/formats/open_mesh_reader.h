@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "meshes/mesh_notes.h"
 #include "meshes/triangle_mesh.h"
@@ -18,6 +19,9 @@ namespace plumb {
 ///
 /// Throws InputError for what the preparation in `prepare.h` refuses. Reads one file at a time, because the
 /// readers of OpenMesh are global objects; other threads wait.
-TriangleMesh read_with_open_mesh(const std::filesystem::path& file, MeshNotes& notes);
+///
+/// `content` is that of a file; its name gives the ending, and is for messages. An OFF file has to be there, because OpenMesh
+/// opens it to learn its kind.
+TriangleMesh read_with_open_mesh(std::string content, const std::filesystem::path& file, MeshNotes& notes);
 
 }  // namespace plumb

@@ -12,7 +12,6 @@
 #include <string_view>
 #include <utility>
 
-#include "meshes/formats/file_bytes.h"
 #include "meshes/formats/point_joiner.h"
 #include "meshes/formats/text_cursor.h"
 #include "renderer/math/input_error.h"
@@ -161,8 +160,7 @@ class TextReader {
 
 }  // namespace
 
-TriangleMesh read_stl(const std::filesystem::path& path, MeshNotes& notes) {
-  const std::string file = path.string(), content = file_bytes(path);
+TriangleMesh read_stl(const std::string& content, const std::string& file, MeshNotes& notes) {
   if (content.size() >= kHeaderBytes && content.size() == kHeaderBytes + kFacetBytes * binary_facets(content)) {
     return read_binary(content, file, notes);
   }

@@ -31,13 +31,18 @@ endif()
 
 # Results must not depend on whether the compiler contracts a*b+c, so it may not.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
-# GCC 12 reports overlaps in std::string's operator+ that are not there (GCC bug 105651).
-add_compile_options(-Wno-restrict)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports overlaps in std::string's operator+ that are not there (GCC bug 105651).
+  add_compile_options(-Wno-restrict)
+endif()
 if(PLUMB_WERROR)
   add_compile_options(-Werror)
 endif()
 if(PLUMB_SANITIZE)
-  # GCC 12 sees uninitialised values in libstdc++'s <regex> once it is instrumented.
-  add_compile_options(-fsanitize=${PLUMB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -Wno-maybe-uninitialized)
+  add_compile_options(-fsanitize=${PLUMB_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC 12 sees uninitialised values in libstdc++'s <regex> once it is instrumented.
+    add_compile_options(-Wno-maybe-uninitialized)
+  endif()
   add_link_options(-fsanitize=${PLUMB_SANITIZE})
 endif()

@@ -24,7 +24,8 @@ struct Search {
     box.low = box.low - pad, box.high = box.high + pad;
     const Vec size = box.size();
     const double edge = std::cbrt(size.x * size.y * size.z / (2.0 * static_cast<double>(primitives.size())));
-    for (int k = 0; k < 3; ++k) count[k] = static_cast<int>(std::min(2000.0, std::max(1.0, std::round(size[k] / edge))));
+    for (int k = 0; k < 3; ++k)
+      count[k] = static_cast<int>(std::min(2000.0, std::max(1.0, std::round(size[k] / edge))));
     cell = {size.x / count[0], size.y / count[1], size.z / count[2]};
 
     starts.assign(static_cast<size_t>(count[0]) * count[1] * count[2] + 1, 0);

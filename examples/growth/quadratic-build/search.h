@@ -1,7 +1,6 @@
 // A hierarchy after a search for duplicates that compares each primitive with all before it, WRONG ON PURPOSE.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -16,7 +15,10 @@ struct Search : Hierarchy {
     std::vector<std::uint64_t> keys;
     for (const Primitive& p : list) {
       const std::uint64_t key = key_of(p);
-      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+      bool known = false;
+      for (std::uint64_t other : keys)
+        if (other == key) known = true;
+      if (known) continue;
       keys.push_back(key);
       different.push_back(p);
     }

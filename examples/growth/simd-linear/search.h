@@ -47,8 +47,8 @@ struct Search {
       const Four t = (ox * b.nx + oy * b.ny + oz * b.nz) * f;
       const Four beta = (rx * b.e2x + ry * b.e2y + rz * b.e2z) * f;
       const Four gamma = -(rx * b.e1x + ry * b.e1y + rz * b.e1z) * f;
-      const auto may = (beta >= -kSlack) & (gamma >= -kSlack) & (beta + gamma <= 1 + 2 * kSlack) & (t >= -kSlack) &
-                       (t <= end);
+      const auto may =
+          (beta >= -kSlack) & (gamma >= -kSlack) & (beta + gamma <= 1 + 2 * kSlack) & (t >= -kSlack) & (t <= end);
       int lanes = _mm_movemask_ps(reinterpret_cast<__m128>(may));
       for (int i = b.first; lanes != 0; ++i, lanes >>= 1)
         if (lanes & 1) triangles[i].intersect(ray, hit), end = static_cast<float>(hit.t) * (1 + kSlack);

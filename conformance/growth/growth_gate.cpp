@@ -26,7 +26,7 @@ constexpr double kLastConfidence = 0.95;
 constexpr double kAffordableShare = 1.0 / 40, kNeededShare = 1.0 / 12;
 /// After so many rounds an interval this wide will not become narrow enough; more rays would make it so.
 constexpr int kRoundsToJudgeBy = 3;
-constexpr double kHopelessWidth = 0.8;
+constexpr double kHopelessWidth = 1.2;
 /// How many times the rays of the attempt before.
 constexpr double kMoreRays = 3;
 

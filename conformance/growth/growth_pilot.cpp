@@ -10,7 +10,7 @@ constexpr double kFewestRays = 64;
 /// A picture of 2048 x 2048: far more than any program needs whose rays cost anything.
 constexpr double kMostRays = 4'194'304;
 /// Of the time of a run that has no rays to speak of: what the highest resolution must add to be told from its noise.
-constexpr double kShareOfFixed = 0.25;
+constexpr double kShareOfFixed = 0.5;
 constexpr int kMostRaises = 3;
 
 /// How far the middle of three resolutions may lie off the line through the others: 10 % of what it spans, and what two

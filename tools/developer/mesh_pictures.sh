@@ -67,7 +67,7 @@ picture displaced_sphere 81920 "0.8 1.1 3.2" "0 0 0" 0.95 -1.1 stone
 picture torus_knot 10000 "0.6 1.2 4" "0 0 0" 1.05 -1.62
 picture terrain 100000 "0.7 1.2 2.3" "0 -0.1 0" 0.95 -1 grass
 picture lattice_cube 1200 "1.6 1.5 2.9" "0 0 0" 0.7 -0.625 two
-picture needles 560 "1.2 1.6 3.1" "0 0 0" 0.9 -1 stone
+picture needles 700 "1.2 1.6 3.1" "0 -0.1 0" 0.72 -0.9 stone
 picture city 12288 "0.5 0.9 1.5" "0 0.12 0" 0.9 -0.01 stone
 picture menger_sponge 36096 "1.8 1.9 3.3" "0 0 0" 0.95 -1
 picture nested_shells 10240 "0.8 1.1 3.2" "0 0 0" 0.85 -1 glass

@@ -10,7 +10,11 @@
 namespace plumb {
 namespace {
 
-/// The space of one needle: a long box around a chord of the unit cylinder. Needles stay within their own lane and so
+/// A bale is a cylinder of radius and half height 1 with so many layers of so many needles: few enough that the boxes
+/// of only so many needles overlap, however many bales there are.
+constexpr std::uint64_t kLayers = 16, kLanes = 16, kBale = kLayers * kLanes;
+
+/// The space of one needle: a long box around a chord of the bale. Needles stay within their own lane and so
 /// apart from one another.
 struct Lane {
   Point3 middle;
@@ -21,7 +25,7 @@ struct Lane {
 /// A tetrahedron with its tip at one end of the lane and a small triangle at the other one.
 void add_needle(const Lane& lane, RandomBits& random, TriangleMesh& mesh) {
   const Vec3 up{0, 1, 0};
-  const double girth = std::min({0.45 * lane.half_width, 0.45 * lane.half_height, lane.half_length / 50});
+  const double girth = std::min({0.45 * lane.half_width, 0.45 * lane.half_height, lane.half_length / 60});
   const double sideways = 0.9 * lane.half_width - girth, upward = 0.9 * lane.half_height - girth;
   const Vec3 forward = random.coin() ? lane.along : -lane.along;
   const auto end = [&](double sign) {
@@ -47,26 +51,40 @@ void add_needle(const Lane& lane, RandomBits& random, TriangleMesh& mesh) {
     mesh.triangles.push_back({first + a, first + b, first + c});
 }
 
+/// Adds the first `count` needles of a bale around the origin.
+void add_bale(std::uint64_t count, RandomBits& random, TriangleMesh& mesh) {
+  Vec3 along;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (i % kLanes == 0) along = random.heading();
+    const Vec3 across{along.z, 0, -along.x};
+    const double y = static_cast<double>(2 * (i / kLanes) + 1) / kLayers - 1;
+    const double offset = 0.9 * (static_cast<double>(2 * (i % kLanes) + 1) / kLanes - 1);
+    const Point3 middle = Point3{0, y, 0} + offset * across;
+    add_needle({middle, along, across, std::sqrt(1 - offset * offset), 0.9 / kLanes, 1.0 / kLayers}, random, mesh);
+  }
+}
+
 TriangleMesh make(const MeshRequest& request) {
   const std::uint64_t needles = (asked_triangles(request) + 3) / 4;
-  const std::uint32_t layers = least_size(needles, 1, [](std::uint64_t n) { return n * n; });
-  const auto lanes = static_cast<std::uint32_t>((needles + layers - 1) / layers);
+  const std::uint64_t bales = (needles + kBale - 1) / kBale;
+  const std::uint32_t side = least_size(bales, 1, [](std::uint64_t n) { return n * n * n; });
   TriangleMesh mesh;
   mesh.positions.reserve(4 * needles);
   mesh.triangles.reserve(4 * needles);
-  ProgressSteps steps(request.progress, needles);
-  for (std::uint32_t layer = 0; layer < layers; ++layer) {
-    RandomBits random(request.seed, layer);
-    const Vec3 along = random.heading();
-    const Vec3 across{along.z, 0, -along.x};
-    const double y = (2.0 * layer + 1) / layers - 1;
-    for (std::uint32_t i = 0; i < lanes && mesh.triangles.size() < 4 * needles; ++i) {
-      const double offset = 0.9 * ((2.0 * i + 1) / lanes - 1);
-      const Lane lane{Point3{0, y, 0} + offset * across, along,       across,
-                      std::sqrt(1 - offset * offset),    0.9 / lanes, 1.0 / layers};
-      add_needle(lane, random, mesh);
-      steps.step();
+  ProgressSteps steps(request.progress, bales);
+  for (std::uint64_t bale = 0; bale < bales; ++bale) {
+    RandomBits random(request.seed, bale);
+    const std::size_t first = mesh.positions.size();
+    add_bale(std::min(kBale, needles - bale * kBale), random, mesh);
+    // Lanes end up to 1.06 from the bale's axis, and bales are 2 apart.
+    const auto place = [&](double in_bale, std::uint64_t cell) {
+      return (0.9 * in_bale + (2 * static_cast<double>(cell) + 1 - side)) / side;
+    };
+    for (std::size_t i = first; i < mesh.positions.size(); ++i) {
+      Point3& p = mesh.positions[i];
+      p = {place(p.x, bale % side), place(p.y, bale / side / side), place(p.z, bale / side % side)};
     }
+    steps.step();
   }
   return mesh;
 }
@@ -74,7 +92,7 @@ TriangleMesh make(const MeshRequest& request) {
 }  // namespace
 
 extern const MeshKind needles_kind{
-    "needles", "A pile of long thin needles, each a tetrahedron: layer upon layer, each in a direction of its own.",
+    "needles", "Bales of long thin needles, each a tetrahedron: layer upon layer, each in a direction of its own.",
     true, true, make};
 
 }  // namespace plumb

@@ -139,8 +139,8 @@ TEST(ParetoPlots, NoneIsAnOpenPointAtItsBound) {
   EXPECT_THAT(escapes, HasSubstr("0.3333333333333333 10\n"));
   EXPECT_THAT(escapes, HasSubstr("with points pt 6"));
   EXPECT_THAT(file(plots, "closest.gnuplot"), HasSubstr("plot 1/0")) << "nothing was asked";
-  EXPECT_THAT(file(plots, "pictures.gnuplot"), HasSubstr("0.125 0.02 4\n"));
-  EXPECT_THAT(file(plots, "pictures.gnuplot"), Not(HasSubstr("0.25 0 9"))) << "no place on a logarithmic axis";
+  EXPECT_THAT(file(plots, "pictures.gnuplot"), HasSubstr("0.125 0.02 \"4\"\n"));
+  EXPECT_THAT(file(plots, "pictures.gnuplot"), Not(HasSubstr("0.25 0 \"9\""))) << "no place on a logarithmic axis";
 }
 
 TEST(GnuplotQuoted, HoldsAnyText) {

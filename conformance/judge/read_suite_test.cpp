@@ -158,7 +158,8 @@ const BadSuite kBadSuites[] = {
     {"inputs_of_one_name", "scene = \"scene.txt\"", "scene = \"scene.txt\"\ninputs = [\"mesh.msh\", \"more/mesh.msh\"]",
      9, 10, "holds two files named 'mesh.msh'"},
     {"render_placeholder", "{scene}", "{scenes}", 5, 10,
-     "holds '{scenes}', which stands for nothing here; expected {scene}, {scene_name}, {folder}, {output}; did you "
+     "holds '{scenes}', which stands for nothing here; expected {scene}, {scene_name}, {folder}, {output}, {width}, "
+     "{height}; did you "
      "mean 'scene'?"},
     {"render_sources", "{scene}", "{sources:*.c}", 5, 10, "which stands for nothing here"},
     {"build_placeholder", "[runner]", "[runner]\nbuild = [[\"cc\", \"{scene}\"]]", 5, 9,

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -149,7 +150,10 @@ TEST_P(MeshKinds, VerticesAreUsedFiniteAndDistinct) {
 
 TEST_P(MeshKinds, TheFanOfEachVertexIsOne) {
   // Walking from edge to edge around a vertex comes back after as many triangles as it has, where the mesh is closed.
-  if (!kind_.closed) GTEST_SKIP() << "open";
+  if (!kind_.closed) {
+    EXPECT_EQ(kind_.id, "terrain");
+    return;
+  }
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> next;  // (vertex, neighbour) -> the next neighbour
   std::vector<std::size_t> around(mesh_.positions.size());
   for (const auto& t : mesh_.triangles) {
@@ -191,7 +195,10 @@ TEST_P(MeshKinds, EachPieceEnclosesAPositiveVolumeOfTrianglesWithAnArea) {
 }
 
 TEST_P(MeshKinds, NormalsAreUnitAndInFrontOfTheirTriangles) {
-  if (mesh_.normals.empty()) GTEST_SKIP() << "flat";
+  if (mesh_.normals.empty()) {  // its edges are sharp
+    EXPECT_THAT(kind_.id, testing::AnyOf("lattice_cube", "needles", "city", "menger_sponge"));
+    return;
+  }
   ASSERT_EQ(mesh_.normals.size(), mesh_.positions.size());
   // The three roundings of normalizing, or of the product of two sines, are less than 4 ulp.
   for (const Normal3& n : mesh_.normals) ASSERT_NEAR(dot(n, as_vector(n)), 1, 8 * 0x1p-52);

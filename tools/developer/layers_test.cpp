@@ -25,6 +25,7 @@ TEST(Layers, FaultyIncludesAreCaught) {
 }
 
 TEST(Layers, RightIncludesPass) {
+  EXPECT_EQ(include_fault("examples/x/tracer.cpp", "search.h", true), "");
   EXPECT_EQ(include_fault("renderer/math/rotation.cpp", "mpfr.h", false), "");
   EXPECT_EQ(include_fault("renderer/scene.cpp", "renderer/image/image.h", true), "");
   EXPECT_EQ(include_fault("renderer/image/image.cpp", "renderer/math/vec3.h", true), "");

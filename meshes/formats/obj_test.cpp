@@ -134,5 +134,16 @@ TEST(Obj, NotesWhatIsLeftOut) {
   EXPECT_TRUE(notes.sentences.empty());
 }
 
+TEST(Obj, RefusesAFaceOfSoManyCornersThatItsTimeGrowsWithTheirSquare) {
+  const auto fan = [](int corners) {
+    std::string content = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+    for (int i = 0; i < corners; ++i) content += i % 3 == 0 ? " 1" : i % 3 == 1 ? " 2" : " 3";
+    return content + "\n";
+  };
+  EXPECT_EQ(read_text("m.obj", fan(1000)).triangles.size(), 998u);
+  EXPECT_EQ(refused(fan(1001)), "m.obj:4:1: a face of more than 1000 corners; expected at most that many");
+  EXPECT_EQ(refused(fan(2000000)), "m.obj:4:1: a face of more than 1000 corners; expected at most that many");
+}
+
 }  // namespace
 }  // namespace plumb

@@ -33,7 +33,7 @@ struct PreparedMesh {
 /// do not fit single precision, counts that the file is too short for, vertex indices out of range, and faces
 /// of less than three corners.
 
-/// Keeps v, vt (two numbers), vn and f; other statements are left out.
+/// Keeps v, vt (two numbers), vn and f; other statements are left out. Refuses a face of more than 1000 corners.
 PreparedMesh prepare_obj(const std::string& content, const std::string& file);
 /// Keeps x y z, nx ny nz, u v (or s t, texture_u texture_v) and vertex_indices, whatever their types and
 /// byte order, as binary little-endian float and int.

@@ -3,13 +3,20 @@
 namespace {
 
 /// A list that grows without its length being known holds three times its entries while it is moved (the old one and
-/// one of twice the size), and twice of them from then on. What costs most are corners with texture coordinates, "1/1
-/// ", in fans over vertices that were named before. A fan of 99 vertices takes 488 bytes and gives 97 triangles, each
-/// with 12 bytes of indices and 3 * 56 of what its corners carry: 3 * 180 * 97 / 488 = 107 a byte. The prepared text,
-/// with negative indices spelt out, is at most 4 times the file in a string of twice that: 8 more. Later, when each
-/// corner has become a vertex, 2 * 180 a triangle, and 88 for an entry of the map and 3 * (24 + 16) for a vertex a
-/// corner: 113 a byte, and the same 8.
-constexpr plumb::AllocationBound kBound = {128};
+/// one of twice the size), and twice of them from then on. What costs most are corners that name their vertex again:
+/// with n digits to the number of vertices, "1 " becomes n + 1 bytes in its face and 8 for a vertex that stands in. A
+/// file of one such face, with n up to 4, costs for each corner of 2 bytes: 2 * 13 in the prepared text, 2 * 4 for the
+/// number that it stands for, 12 for a triangle, 28 for the corner, 3 * 4 in OpenMesh's list and 3 * 4 in ours, and the
+/// line as OpenMesh holds it, in a string of up to twice its 5 bytes, in a stream and in a copy: 20. That is 118, or 59
+/// a byte.
+///
+/// With texture coordinates, "1/1 ", it is 2 * 15, 8, 12, 28, 24 for those of a triangle, 2 * 28 for those that wait
+/// for their face, 2 * 12 and 2 * 4 in OpenMesh's lists and ours, and 4 * 7 for the line: 218, or 55 a byte. Normals
+/// give less. Where numbers are longer, faces of 1000 corners are a small part of the file, and the prepared text, of
+/// at most 19 bytes a corner, the list behind it and the triangles are left: (2 * 19 + 8 + 12) / 2 = 29 a byte. Before
+/// OpenMesh is asked, the content, three times the prepared text while it grows, and the list: 1 + (3 * 13 + 3 * 4) / 2
+/// = 27.
+constexpr plumb::AllocationBound kBound = {72};
 
 }  // namespace
 

@@ -5,11 +5,11 @@
 
 namespace {
 
-/// In text a corner takes 2 bytes ("0 ") and costs 12 for a triangle, 4 for OpenMesh's list and 4 for ours, each list
-/// three times while it grows: 30 a byte, and the prepared text in a string of up to twice its size. Before that, a
-/// word of 2 bytes costs 3 * 16 for its place in the list of a line: 24 a byte, the content, and 3 for the prepared
-/// text while it grows. 30 + 2 < 36. In the binary form a corner takes 4 bytes.
-constexpr plumb::AllocationBound kBound = {36};
+/// In text, a word of 2 bytes ("0 ") costs 3 * 16 for its place in the list of its line, while that grows: 24 a byte,
+/// and the content and the prepared text with it. Later a corner of 2 bytes costs 12 for a triangle, 4 for OpenMesh's
+/// list and 4 for ours, both three times while they grow: 18 a byte, and the prepared text. In the binary form a corner
+/// takes 4 bytes.
+constexpr plumb::AllocationBound kBound = {28};
 
 }  // namespace
 

@@ -3,10 +3,11 @@
 namespace {
 
 /// The shortest numbers have one byte (uchar), and become 4 in the prepared file: 4 times the file, in a string that
-/// may have twice the size. One face of as many corners as there are bytes: 12 for a triangle, 4 for OpenMesh's list
-/// and 4 for ours, each list three times while it grows, so 60 a corner. A vertex of 5 bytes (x y z u v) costs 24 for
-/// its place and 3 * 56 for what it carries, 39 a byte. 8 + 60 < 72.
-constexpr plumb::AllocationBound kBound = {72};
+/// may have twice the size. One face of as many corners as there are bytes: 12 for a triangle in a list whose length is
+/// known, 4 for OpenMesh's list and 4 for ours, each three times while it grows: 8 + 12 + 24 = 44 a byte. A vertex of 5
+/// bytes (x y z u v) costs 24 for its place and 16 for what it carries, 8 a byte. While the file is prepared there are
+/// its content and three times the prepared file, 13 a byte; an element of the header, of 12 bytes, costs 3 * 72.
+constexpr plumb::AllocationBound kBound = {48};
 
 }  // namespace
 

@@ -2,10 +2,10 @@
 
 namespace {
 
-/// A binary facet takes 50 bytes: 12 for a triangle and 24 for each of three vertices, three times while the lists
-/// grow, and 64 for each vertex in the map that joins equal ones: 3 * (12 + 72) + 3 * 64 = 444, or 9 a byte, and the
-/// content. A facet in text takes more than 50 bytes.
-constexpr plumb::AllocationBound kBound = {12};
+/// A binary facet takes 50 bytes: 12 for a triangle, in a list whose length is known, and for each of three vertices 3
+/// * 24 while their list grows, and up to 16 in the table that joins equal ones: 276, or 6 a byte, and the content. A
+/// facet in text takes more than 80 bytes, and 36 for a triangle.
+constexpr plumb::AllocationBound kBound = {8};
 
 }  // namespace
 

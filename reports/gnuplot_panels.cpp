@@ -181,9 +181,10 @@ std::string lines_script(const FigureText& text, const std::vector<SeriesStyle>&
     }
     data += "end\n";
     plots += fmt::format(
-        "{0}$line{1} using 1:2 with linespoints pt 7 ps 0.9 lw 1.5 lc rgb '{2}', \\\n"
+        "{0}$line{1} using 1:2 with linespoints pt {4} ps 0.9 lw 1.5 lc rgb '{2}', \\\n"
         "  $line{1} using 1:2:3 with labels offset {3} font ',10' tc rgb '{2}'",
-        plots.empty() ? "" : ", \\\n  ", i, color, lines[i].labels_below ? "-0.9,-0.8" : "0.9,0.8");
+        plots.empty() ? "" : ", \\\n  ", i, color, lines[i].labels_below ? "-0.9,-0.8" : "0.9,0.8",
+        point_type(series.at(lines[i].series), false));
   }
   std::string script = canvas.opening(text) + canvas.frame(kLeft, kTop, kWidth, kHeight);
   script += axis('x', x, true) + axis('y', y, true);

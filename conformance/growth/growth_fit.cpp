@@ -12,7 +12,8 @@ namespace plumb {
 namespace {
 
 constexpr int kReplicates = 2000;
-/// Two runs of one program on a shared machine differ by as much without any cause that would show again.
+/// Two runs of one program on a shared machine differ by as much without any cause that would show again: 20 renderings
+/// of one scene, at a load of 2 on two processors, had a standard deviation of 1.6 %.
 constexpr double kBlur = 0.015;
 /// Differences of processor time that are told from nothing.
 constexpr double kLeastGain = 0.01, kLeastBuild = 0.001;

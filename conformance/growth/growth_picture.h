@@ -12,7 +12,8 @@ namespace plumb {
 struct GrowthTolerance {
   /// Levels (or 1/255 linear, for EXR) by which a channel may differ,
   double levels = 3;
-  /// and the share of the pixels that may differ by more: edges fall on either side.
+  /// and the share of the pixels that may differ by more: edges fall on either side. Of a picture of half the size,
+  /// enlarged, 10 to 20 % differ at 100 x 100, 3 to 5 % at 200 x 200, fewer than 1 % from 400 x 400 on.
   double share = 0.02;
 };
 

@@ -52,8 +52,8 @@ class GrowthPicture : public testing::Test {
   static Image rendered(const Scene& scene) {
     return render(scene, {.threads = 1, .crop = {}, .progress = nullptr}).image;
   }
-  std::string cause(const Image& image, const Scene& scene) const {
-    return check_growth_picture(picture(image), scene, {}, 1).cause;
+  std::string cause(const Image& image, const Scene& scene, const GrowthTolerance& tolerance = {}) const {
+    return check_growth_picture(picture(image), scene, tolerance, 1).cause;
   }
 
   fs::path folder_;

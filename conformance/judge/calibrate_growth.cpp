@@ -110,10 +110,13 @@ std::vector<CalibrationDecision> read_record(const fs::path& file) {
   return decisions;
 }
 
-/// What a case says of its question; a wrong picture or a crash says nothing, and is wrong here.
-GrowthDecision found_in(const CaseResult& c) {
+/// What a case says of its question; a wrong picture, a crash or a timeout says nothing of it, and is wrong whatever
+/// was expected.
+GrowthDecision found_in(const CaseResult& c, GrowthDecision expected) {
   if (is_right(c.check.verdict)) return GrowthDecision::pass;
-  return c.check.verdict == Verdict::internal_error ? GrowthDecision::undecided : GrowthDecision::fail;
+  if (c.check.verdict == Verdict::internal_error) return GrowthDecision::undecided;
+  if (c.check.cause == "not_sublinear" || c.check.cause == "slow_build") return GrowthDecision::fail;
+  return expected == GrowthDecision::pass ? GrowthDecision::fail : GrowthDecision::pass;
 }
 
 double slope_in(const CaseResult& c, const SuiteCase& suite_case) {
@@ -139,7 +142,7 @@ std::vector<CalibrationDecision> run_gate(const CalibrationRequest& request, con
     CalibrationDecision d;
     d.subject = gate.subject, d.gate = c.id, d.loaded = loaded;
     d.expected = gate.expected[i];
-    d.found = found_in(c);
+    d.found = found_in(c, d.expected);
     d.verdict = to_string(c.check.verdict), d.cause = c.check.cause;
     d.slope = slope_in(c, gate.suite.cases[i]);
     if (c.growth) d.seconds = c.growth->wall_seconds, d.attempts = c.growth->attempts, d.seed = c.growth->seed;

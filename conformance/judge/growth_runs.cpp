@@ -157,20 +157,24 @@ GrowthAnswer GrowthRunner::run(const GrowthQuestion& question) {
       throw GrowthStop(stopped(Verdict::security, "build_changed",
                                "the program changed its own build, which later runs would have used",
                                "write only beside the scene or where the assignment says"));
-    check_picture(question, folder.run, paths.output);
+    check_picture(question, run, folder.run, paths.output);
   }
   workspace_.remove_case_folder(folder);
   answer.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return answer;
 }
 
-void GrowthRunner::check_picture(const GrowthQuestion& question, const fs::path& run_folder,
+void GrowthRunner::check_picture(const GrowthQuestion& question, const RunOutcome& run, const fs::path& run_folder,
                                  const std::string& output) {
   const fs::path picture = folder_ / ("picture" + fs::path(output).extension().string());
   const HarvestResult harvested = harvest(run_folder, output, suite_case_.output_mb << 20, picture);
   if (harvested.status == HarvestStatus::missing)
-    throw GrowthStop(stopped(Verdict::fail, "no_picture", "the program wrote no picture",
-                             "read log.txt for what the program said, and check where it writes its picture"));
+    throw GrowthStop(
+        stopped(Verdict::fail, "no_picture",
+                run.reason == StopReason::cannot_start
+                    ? run.start_error
+                    : fmt::format("the program wrote no picture and ended with exit status {}", run.exit_code),
+                "read log.txt for what the program said, and check where it writes its picture"));
   if (harvested.status != HarvestStatus::copied)
     throw GrowthStop(stopped(Verdict::security, "link", harvested.sentence, "the picture must be an ordinary file"));
   // The surface is the same in every size, so the coarsest mesh makes the reference.

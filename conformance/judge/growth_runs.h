@@ -9,6 +9,7 @@
 #include "conformance/growth/growth_scene.h"
 #include "conformance/judge/suite.h"
 #include "conformance/judge/workspace.h"
+#include "conformance/sandbox/run_outcome.h"
 
 namespace plumb {
 
@@ -37,7 +38,7 @@ class GrowthRunner {
   void write_scene(const std::filesystem::path& file, const std::filesystem::path& from,
                    const GrowthNames& names) const;
   std::string random_name();
-  void check_picture(const GrowthQuestion& question, const std::filesystem::path& run_folder,
+  void check_picture(const GrowthQuestion& question, const RunOutcome& run, const std::filesystem::path& run_folder,
                      const std::string& output);
 
   const SuiteCase& suite_case_;

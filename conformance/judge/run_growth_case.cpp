@@ -41,9 +41,9 @@ CheckResult trace_result(const GrowthFigures& figures) {
         Verdict::fail, "not_sublinear",
         "the time that a ray along an axis takes grows with the number of " + figures.of,
         "a direction with a component of exactly 0 must not make the box test visit everything: see 0/0 and 0 * inf");
-  return stopped(
-      Verdict::fail, "not_sublinear", "the time a ray takes grows about in proportion to the number of " + figures.of,
-      "a ray must visit few of them: build a hierarchy, split it in halves, and skip what its boxes are missed of");
+  return stopped(Verdict::fail, "not_sublinear",
+                 "the time a ray takes grows about in proportion to the number of " + figures.of,
+                 "a ray must visit few of them: build a hierarchy of boxes, and skip every box that the ray misses");
 }
 
 CheckResult build_result(const GrowthFigures& figures) {

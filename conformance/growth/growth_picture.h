@@ -19,7 +19,7 @@ struct GrowthTolerance {
 
 /// Whether a program rendered the scene in full: its picture must be valid and of the scene's size, and in tiles at
 /// random places (4096 pixels in all, or the whole of a smaller picture) equal to our own rendering within the
-/// tolerance. One that was rendered smaller and enlarged, or kept from another size, differs in most. `bad_picture`,
+/// tolerance. One that was kept from another run differs in most; for enlarged ones see GrowthTolerance. `bad_picture`,
 /// `wrong_size`, `not_finite`, `different`; pass. The file must exist.
 CheckResult check_growth_picture(const std::filesystem::path& picture, const Scene& scene,
                                  const GrowthTolerance& tolerance, std::uint64_t seed);

@@ -8,6 +8,7 @@
 #include "meshes/formats/mapped_file.h"
 #include "meshes/formats/msh_reader.h"
 #include "meshes/formats/open_mesh_reader.h"
+#include "meshes/formats/ply_reader.h"
 #include "meshes/formats/stl_reader.h"
 #include "meshes/write_mesh.h"
 
@@ -15,9 +16,10 @@ namespace plumb {
 namespace {
 
 /// Whether the format is read from a mapped file.
-bool is_mapped(const std::string& ending) { return ending == ".msh"; }
+bool is_mapped(const std::string& ending) { return ending == ".msh" || ending == ".ply"; }
 
 TriangleMesh read_mapped(std::string_view content, const std::filesystem::path& file, MeshNotes& notes) {
+  if (lower_case_ending(file) == ".ply") return read_ply(content, file, notes);
   return read_msh(content, file.string(), notes);
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/math/single_precision.h"
+
 namespace plumb {
 namespace {
 
@@ -56,10 +58,10 @@ std::optional<std::size_t> copy_numbers(const Places<kCount>& places, const char
     std::array<double, kCount> numbers;
     for (std::size_t k = 0; k < kCount; ++k) {
       const Number number = load<Number, kBigEndian>(body + i * stride + places.offsets[k]);
-      const float single = static_cast<float>(number);
+      const double single = std::is_same_v<Number, float> ? double{number} : rounded_to_single(number);
       all_finite &= std::isfinite(single);
-      if constexpr (!std::is_same_v<Number, float>) rounded += Number{single} != number;
-      numbers[k] = double{single};
+      rounded += single != number;
+      numbers[k] = single;
     }
     values[i] = value_of(std::type_identity<Value>(), numbers);
   }

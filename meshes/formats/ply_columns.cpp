@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -12,6 +13,8 @@
 
 namespace plumb {
 namespace {
+
+static_assert(std::endian::native == std::endian::little, "numbers are copied in the machine's byte order");
 
 /// A number of the file, whose byte order is the machine's (little-endian) or the other one.
 template <class Number, bool kBigEndian>

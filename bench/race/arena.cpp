@@ -25,6 +25,11 @@ bool is_other(const Found& found, const Found& exact, const Ray& ray, const Tria
   return !hit || hit->t - exact.t > kTie * std::fabs(exact.t);
 }
 
+/// Well above the rounding of a float's t, which makes a neighbour of the right triangle.
+bool is_escape(const Found& found, const Found& exact) {
+  return exact.hit() && (!found.hit() || found.t - exact.t > 1e-3 * std::fabs(exact.t));
+}
+
 }  // namespace
 
 Arena::Arena(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {
@@ -84,16 +89,22 @@ double seconds_a_ray(const Contestant& contestant, const RaySet& set) {
   return (seconds_on(CLOCK_THREAD_CPUTIME_ID) - start) / static_cast<double>(all.count());
 }
 
-std::size_t differences(const Contestant& contestant, const Peer& judge, const RaySet& set, const TriangleMesh& mesh) {
+Differences differences(const Contestant& contestant, const Peer& judge, const RaySet& set, const TriangleMesh& mesh) {
   const Slice slice = slice_for(*contestant.kind, set);
-  std::size_t count = 0;
+  Differences found;
   for (std::size_t i = slice.begin; i < slice.end; i += slice.step) {
-    if (set.question == Question::any)
-      count += contestant.peer->any_of(set, i) != judge.any_of(set, i);
-    else
-      count += is_other(contestant.peer->closest_of(set, i), judge.closest_of(set, i), set.rays[i], mesh);
+    if (set.question == Question::any) {
+      const bool blocked = contestant.peer->any_of(set, i), exact = judge.any_of(set, i);
+      found.all += blocked != exact;
+      found.escapes += exact && !blocked;
+      continue;
+    }
+    const Found answer = contestant.peer->closest_of(set, i), exact = judge.closest_of(set, i);
+    if (!is_other(answer, exact, set.rays[i], mesh)) continue;
+    ++found.all;
+    found.escapes += is_escape(answer, exact);
   }
-  return count;
+  return found;
 }
 
 }  // namespace plumb::bench

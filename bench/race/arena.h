@@ -51,9 +51,15 @@ Tally ask(const Peer& peer, const RaySet& set, const Slice& slice);
 /// left in the caches decides little.
 double seconds_a_ray(const Contestant& contestant, const RaySet& set);
 
-/// In how many rays of its slice the contestant's answer is not the judge's: another decision whether something is hit,
-/// or a closest triangle that the ray does not meet, or meets farther away than the judge's. Another triangle at the
-/// same distance (a shared edge or vertex) is no difference.
-std::size_t differences(const Contestant& contestant, const Peer& judge, const RaySet& set, const TriangleMesh& mesh);
+/// Rays of a contestant's slice by what is wrong with its answer.
+struct Differences {
+  /// Another decision whether something is hit, or a closest triangle that the ray does not meet, or meets farther away
+  /// than the judge's. Another triangle at the same distance (a shared edge or vertex) is no difference.
+  std::size_t all = 0;
+  /// Of these: nothing is hit, or t is larger by a thousandth: the ray went through the surface. Of any-hit questions,
+  /// a blocked ray that is not.
+  std::size_t escapes = 0;
+};
+Differences differences(const Contestant& contestant, const Peer& judge, const RaySet& set, const TriangleMesh& mesh);
 
 }  // namespace plumb::bench

@@ -10,7 +10,7 @@ namespace plumb::bench {
 namespace {
 
 struct BuildTimes {
-  std::array<std::vector<double>, 2> cpu, wall;  ///< by number of threads
+  std::array<std::vector<double>, 2> cpu, caller, wall;  ///< by number of threads
   double bytes = 0;
 };
 
@@ -20,6 +20,7 @@ void build_once(const PeerKind& kind, const std::shared_ptr<const TriangleMesh>&
   const std::unique_ptr<Peer> peer = kind.build(mesh, threads, cost);
   const auto place = static_cast<std::size_t>(threads - 1);
   times.cpu[place].push_back(1e3 * cost.cpu);
+  times.caller[place].push_back(1e3 * cost.caller);
   times.wall[place].push_back(1e3 * cost.wall);
   if (threads == 1) times.bytes = static_cast<double>(peer->bytes());
 }
@@ -48,6 +49,7 @@ void build(benchmark::State& state, const std::string& name) {
     };
     put(kCpu1, times[i].cpu[0]);
     put(kCpu2, times[i].cpu[1]);
+    put(kCaller2, times[i].caller[1]);
     put(kWall1, times[i].wall[0]);
     put(kWall2, times[i].wall[1]);
     if (times[i].bytes > 0)

@@ -19,10 +19,17 @@ double number(const Run& run, const std::string& counter) {
   return found == run.counters.end() ? std::numeric_limits<double>::quiet_NaN() : found->second.value;
 }
 
-/// `format` of the value, or a dash, in a column of nine.
+/// `format` of the value, or a dash, in a column of eleven.
 void print_cell(const char* format, double value) {
   char text[32] = "-";
   if (!std::isnan(value)) std::snprintf(text, sizeof text, format, value);
+  std::printf(" %11s", text);
+}
+
+/// Two numbers in such a column.
+void print_pair(const char* format, double first, double second) {
+  char text[32] = "-";
+  if (!std::isnan(first)) std::snprintf(text, sizeof text, format, first, second);
   std::printf(" %11s", text);
 }
 
@@ -95,8 +102,11 @@ void RaceTables::print_differences() const {
   const auto rows = of_table(kTrace);
   if (rows.empty()) return;
   const auto names = columns(rows, kDiffers, false);
-  std::printf("\nAnswers that differ from the exact ones of %s, ties apart: %% of the rays that were asked\n",
-              std::string(kJudge).c_str());
+  std::printf(
+      "\nAnswers that differ from the exact ones of %s, ties apart, in %% of the rays that were asked; and of these "
+      "the\n"
+      "rays that go through a surface\n",
+      std::string(kJudge).c_str());
   std::vector<std::string> head{"rays", "hits %"};
   head.insert(head.end(), names.begin(), names.end());
   print_head("mesh/rays", head);
@@ -104,7 +114,8 @@ void RaceTables::print_differences() const {
     std::printf("%-22s", subject(*run).c_str());
     print_cell("%.0f", number(*run, "rays"));
     print_cell("%.1f", 100 * number(*run, "hits"));
-    for (const std::string& name : names) print_cell("%.4g", 100 * number(*run, of(kDiffers, name)));
+    for (const std::string& name : names)
+      print_pair("%.3g %.3g", 100 * number(*run, of(kDiffers, name)), 100 * number(*run, of(kEscapes, name)));
     std::printf("\n");
   }
 }
@@ -113,9 +124,10 @@ void RaceTables::print_builds() const {
   const auto rows = of_table(kBuild);
   if (rows.empty()) return;
   std::printf(
-      "\nBuilds: milliseconds of the process's CPU time and of wall time; bytes of positions, indices and hierarchy\n");
-  print_head("mesh",
-             {"peer", "cpu 1", "to embree", "cpu 2", "to embree", "wall 1", "wall 2", "to embree", "bytes/tri"});
+      "\nBuilds by one and by two threads: milliseconds of the process's CPU time, of the calling thread's and of "
+      "wall\n"
+      "time; bytes of positions, indices and hierarchy\n");
+  print_head("mesh", {"peer", "cpu 1", "to embree", "cpu 2", "caller 2", "wall 1", "wall 2", "to embree", "bytes/tri"});
   for (const Run* run : rows) {
     for (const std::string& name : columns({run}, kCpu1, false)) {
       std::printf("%-22s %11s", subject(*run).c_str(), name.c_str());
@@ -123,7 +135,7 @@ void RaceTables::print_builds() const {
       const auto ratio = [&](const char* what) {
         print_cell("%.2f", number(*run, of(what, name)) / number(*run, of(what, peer_kinds()[0].name)));
       };
-      ms(kCpu1), ratio(kCpu1), ms(kCpu2), ratio(kCpu2), ms(kWall1), ms(kWall2), ratio(kWall2), ms(kBytes);
+      ms(kCpu1), ratio(kCpu1), ms(kCpu2), ms(kCaller2), ms(kWall1), ms(kWall2), ratio(kWall2), ms(kBytes);
       std::printf("\n");
     }
   }
@@ -133,11 +145,12 @@ void RaceTables::print_scaling() const {
   const auto rows = of_table(kThreads);
   if (rows.empty()) return;
   const auto names = columns(rows, kScaling, false);
-  std::printf("\nTwo threads: wall time of one by that of two\n");
+  std::printf("\nTwo threads: wall time of one by that of two, and the same by CPU time of the slower one\n");
   print_head("mesh/rays", names);
   for (const Run* run : rows) {
     std::printf("%-22s", subject(*run).c_str());
-    for (const std::string& name : names) print_cell("%.2f", number(*run, of(kScaling, name)));
+    for (const std::string& name : names)
+      print_pair("%.2f %.2f", number(*run, of(kScaling, name)), number(*run, of(kCpuScaling, name)));
     std::printf("\n");
   }
 }

@@ -27,12 +27,15 @@ inline constexpr const char* kGrowth = "growth";
 inline std::string of(std::string_view what, std::string_view peer) {
   return std::string(what) + " of " + std::string(peer);
 }
-inline constexpr const char* kSpeed = "Mrays/s";    ///< median
-inline constexpr const char* kRatio = "ratio";      ///< median over the rounds of its speed by the first one's
-inline constexpr const char* kDiffers = "differs";  ///< share of rays
-inline constexpr const char* kScaling = "scaling";  ///< wall time of one thread by that of two
-inline constexpr const char* kCpu1 = "cpu ms 1";    ///< of a build by one thread
-inline constexpr const char* kCpu2 = "cpu ms 2";    ///< by two
+inline constexpr const char* kSpeed = "Mrays/s";           ///< median
+inline constexpr const char* kRatio = "ratio";             ///< median over the rounds of its speed by the first one's
+inline constexpr const char* kDiffers = "differs";         ///< share of rays
+inline constexpr const char* kEscapes = "escapes";         ///< share of rays that miss or go on to a farther surface
+inline constexpr const char* kScaling = "scaling";         ///< wall time of one thread by that of two
+inline constexpr const char* kCpuScaling = "cpu scaling";  ///< CPU time of one thread by that of the slower of two
+inline constexpr const char* kCpu1 = "cpu ms 1";           ///< of a build by one thread
+inline constexpr const char* kCpu2 = "cpu ms 2";           ///< by two
+inline constexpr const char* kCaller2 = "caller ms 2";     ///< of its calling thread alone
 inline constexpr const char* kWall1 = "wall ms 1";
 inline constexpr const char* kWall2 = "wall ms 2";
 inline constexpr const char* kBytes = "bytes/triangle";

@@ -46,8 +46,9 @@ void trace(benchmark::State& state, const std::string& mesh, std::string_view ra
   const Peer& judge = arena.peer(kJudge);
   for (const Contestant* contestant : contestants) {
     const auto asked = static_cast<double>(slice_for(*contestant->kind, set).count());
-    state.counters[of(kDiffers, contestant->kind->name)] =
-        static_cast<double>(differences(*contestant, judge, set, arena.mesh())) / asked;
+    const Differences found = differences(*contestant, judge, set, arena.mesh());
+    state.counters[of(kDiffers, contestant->kind->name)] = static_cast<double>(found.all) / asked;
+    state.counters[of(kEscapes, contestant->kind->name)] = static_cast<double>(found.escapes) / asked;
   }
   const Tally tally = ask(judge, set, {0, set.rays.size()});
   state.counters["rays"] = static_cast<double>(set.rays.size());

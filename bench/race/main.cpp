@@ -22,7 +22,7 @@ constexpr const char* kUsage = R"(usage: plumb_bench [--filter REGEX] [--rounds 
   --rounds N      how often each contestant has its turn                         [7]
   --rays N        rays of a set                                                  [131072]
   --json FILE     write the numbers of all rows to a file
-The tables are trace, batch, build, threads and growth; options of Google Benchmark are taken too.
+The tables are trace, batch, build, threads, growth and frame; options of Google Benchmark are taken too.
 )";
 
 template <class Number>
@@ -66,6 +66,7 @@ void register_rows(const RaceSize& size) {
   }
   register_build_rows(meshes, size);
   register_growth_rows(size);
+  register_frame_row(size);
 }
 
 int run(std::vector<std::string>& arguments) {
@@ -77,7 +78,8 @@ int run(std::vector<std::string>& arguments) {
   for (const PeerKind& kind : peer_kinds()) benchmark::AddCustomContext(kind.name, kind.description);
   benchmark::AddCustomContext("flags", PLUMB_BUILD_FLAGS);
   RaceTables tables;
-  return benchmark::RunSpecifiedBenchmarks(&tables) > 0 ? 0 : 2;
+  if (benchmark::RunSpecifiedBenchmarks(&tables) == 0) return 2;
+  return tables.failed() ? 1 : 0;
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ bool RaceTables::ReportContext(const Context&) { return true; }
 
 void RaceTables::ReportRuns(const std::vector<Run>& report) {
   for (const Run& run : report) {
+    failed_ = failed_ || run.error_occurred;
     if (run.error_occurred) std::fprintf(stderr, "%s: %s\n", run.benchmark_name().c_str(), run.error_message.c_str());
     std::fprintf(stderr, "%s\n", run.run_name.function_name.c_str());
     runs_.push_back(run);
@@ -179,6 +180,18 @@ void RaceTables::print_growth() const {
   }
 }
 
+void RaceTables::print_frame() const {
+  for (const Run* run : of_table(kFrameTable)) {
+    if (run->error_occurred) continue;
+    std::printf("\nA frame of %.0f triangles, 640 x 480, from text, one thread: CPU seconds of the process\n",
+                number(*run, "triangles"));
+    std::printf("POV-Ray 3.7 as Debian builds it, +WT1: %.3f; plumb render --threads 1: %.3f; %.2f times faster\n",
+                number(*run, of(kFrame, "povray")), number(*run, of(kFrame, "plumb")),
+                number(*run, of(kRatio, "plumb")));
+    std::printf("Pixels that differ by more than 8 levels of 255: %.0f\n", number(*run, "other pixels"));
+  }
+}
+
 void RaceTables::Finalize() {
   for (const PeerKind& kind : peer_kinds()) std::printf("%-12s %s\n", kind.name.c_str(), kind.description.c_str());
   std::printf("ours         %s\n", PLUMB_BUILD_FLAGS);
@@ -188,6 +201,7 @@ void RaceTables::Finalize() {
   print_builds();
   print_scaling();
   print_growth();
+  print_frame();
 }
 
 }  // namespace plumb::bench

@@ -13,6 +13,8 @@ class RaceTables : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& report) override;
   void Finalize() override;
+  /// Whether a row ended with an error.
+  bool failed() const { return failed_; }
 
  private:
   std::vector<const Run*> of_table(const std::string& table) const;
@@ -21,8 +23,10 @@ class RaceTables : public benchmark::BenchmarkReporter {
   void print_builds() const;
   void print_scaling() const;
   void print_growth() const;
+  void print_frame() const;
 
   std::vector<Run> runs_;
+  bool failed_ = false;
 };
 
 }  // namespace plumb::bench

@@ -15,6 +15,8 @@ void register_batch_rows(const std::vector<std::string>& meshes, const RaceSize&
 void register_thread_rows(const std::vector<std::string>& meshes, const RaceSize& size);
 void register_build_rows(const std::vector<std::string>& meshes, const RaceSize& size);
 void register_growth_rows(const RaceSize& size);
+/// Reports an error where POV-Ray is missing.
+void register_frame_row(const RaceSize& size);
 
 /// The names of the tables, in the order in which they are printed.
 inline constexpr const char* kTrace = "trace";
@@ -22,6 +24,7 @@ inline constexpr const char* kBatch = "batch";
 inline constexpr const char* kBuild = "build";
 inline constexpr const char* kThreads = "threads";
 inline constexpr const char* kGrowth = "growth";
+inline constexpr const char* kFrameTable = "frame";
 
 /// Names of counters: "of" a contestant.
 inline std::string of(std::string_view what, std::string_view peer) {
@@ -39,6 +42,7 @@ inline constexpr const char* kCaller2 = "caller ms 2";     ///< of its calling t
 inline constexpr const char* kWall1 = "wall ms 1";
 inline constexpr const char* kWall2 = "wall ms 2";
 inline constexpr const char* kBytes = "bytes/triangle";
+inline constexpr const char* kFrame = "cpu s";         ///< of a process
 inline constexpr const char* kNanoseconds = "ns/ray";  ///< followed by the number of triangles
 
 }  // namespace plumb::bench

@@ -1,5 +1,5 @@
 // The readable hierarchy, with the exact decisions that renders use and with plain Moller-Trumbore in doubles.
-#include <limits>
+#include <optional>
 
 #include "bench/peers/roster.h"
 #include "renderer/accel/hierarchy.h"

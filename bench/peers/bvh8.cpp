@@ -1,5 +1,8 @@
-// The wide hierarchy, plain and with spatial splits. CMake takes this file where renderer/accel/bvh8.h is there.
+// The wide hierarchy, plain and with spatial splits. CMake takes this file where renderer/accel/bvh8.h is there. Other
+// variants (plain leaves in the same hierarchy) are further rows of the list at the end.
 #include "renderer/accel/bvh8.h"
+
+#include <optional>
 
 #include "bench/peers/roster.h"
 

@@ -1,8 +1,6 @@
 // CGAL's AABB_tree with exact constructions: the kernel that is shipped with the suite, called in this process.
 #include <dlfcn.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 
 #include "bench/peers/roster.h"

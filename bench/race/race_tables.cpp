@@ -1,5 +1,6 @@
 #include "bench/race/race_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -34,7 +35,7 @@ void print_pair(const char* format, double first, double second) {
 }
 
 /// Three digits that count, from 0.00123 to 12300.
-void print_ratio(double ratio) { print_cell(ratio < 0.095 ? "%.4f" : "%.2f", ratio); }
+void print_ratio(double ratio) { print_cell(ratio < 0.095 ? "%.3g" : "%.2f", ratio); }
 
 /// The name after the table's: mesh, and rays if there are any.
 std::string subject(const Run& run) {

@@ -1,10 +1,12 @@
 // Builds of each mesh by one and by two threads, and the bytes that they leave.
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <array>
 
 #include "bench/race/race_meshes.h"
 #include "bench/race/rows.h"
+#include "bench/race/turns.h"
 
 namespace plumb::bench {
 namespace {
@@ -14,8 +16,11 @@ struct BuildTimes {
   double bytes = 0;
 };
 
-/// Nothing else with more threads is alive meanwhile: Embree gives a device as many as the largest of all has.
+/// Nothing else with more threads is alive meanwhile: Embree gives a device as many as the largest of all has. What
+/// others freed goes back to the system first, so that each build gets fresh pages as the only one of a program does;
+/// else the same build takes up to a third more or less, by who was there before.
 void build_once(const PeerKind& kind, const std::shared_ptr<const TriangleMesh>& mesh, int threads, BuildTimes& times) {
+  malloc_trim(0);
   BuildCost cost;
   const std::unique_ptr<Peer> peer = kind.build(mesh, threads, cost);
   const auto place = static_cast<std::size_t>(threads - 1);
@@ -34,13 +39,10 @@ void build(benchmark::State& state, const std::string& name) {
   std::size_t round = 0;
   for (auto _ : state) {
     const double start = seconds_on(CLOCK_MONOTONIC);
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-      const std::size_t turn = (round + i) % kinds.size();
+    for (const std::size_t turn : turns(round++, kinds.size()))
       for (int threads = 1; threads <= kinds[turn]->most_threads; ++threads)
         build_once(*kinds[turn], mesh, threads, times[turn]);
-    }
     state.SetIterationTime(seconds_on(CLOCK_MONOTONIC) - start);
-    ++round;
   }
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::string& peer = kinds[i]->name;

@@ -4,6 +4,7 @@
 
 #include "bench/race/race_meshes.h"
 #include "bench/race/rows.h"
+#include "bench/race/turns.h"
 
 namespace plumb::bench {
 namespace {
@@ -27,9 +28,11 @@ void growth(benchmark::State& state, std::size_t count) {
     }
   }
   const RaySet set = make_ray_set("primary", *mesh, count, nullptr);
+  std::size_t round = 0;
   for (auto _ : state) {
     double total = 0;
-    for (Entry& entry : entries) {
+    for (const std::size_t turn : turns(round++, entries.size())) {
+      Entry& entry = entries[turn];
       entry.times.push_back(seconds_a_ray(entry.contestant, set));
       total += entry.times.back() * static_cast<double>(set.rays.size());
     }

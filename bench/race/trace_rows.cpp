@@ -2,24 +2,23 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/race/rows.h"
+#include "bench/race/turns.h"
 
 namespace plumb::bench {
 namespace {
 
-/// Seconds a ray by contestant and round. Each round begins with the next contestant.
+/// Seconds a ray by contestant and round.
 std::vector<std::vector<double>> run_rounds(benchmark::State& state, const std::vector<const Contestant*>& contestants,
                                             const RaySet& set) {
   std::vector<std::vector<double>> times(contestants.size());
   std::size_t round = 0;
   for (auto _ : state) {
     double total = 0;
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-      const std::size_t turn = (round + i) % contestants.size();
+    for (const std::size_t turn : turns(round++, contestants.size())) {
       times[turn].push_back(seconds_a_ray(*contestants[turn], set));
       total += times[turn].back() * static_cast<double>(set.rays.size());
     }
     state.SetIterationTime(total);
-    ++round;
   }
   return times;
 }

@@ -1,6 +1,7 @@
 #include "renderer/math/dyadic.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,12 +15,15 @@ constexpr int kDigitBits = 64;
 
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
-  sign_ = value < 0 ? -1 : 1;
-  int exponent = 0;
-  const auto significand = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::fabs(value), &exponent), 53));
-  exponent -= 53;                                                                   // |value| = significand 2^exponent
-  lowest_ = (exponent >= 0 ? exponent : exponent - (kDigitBits - 1)) / kDigitBits;  // rounded down
-  const TwoDigits shifted = static_cast<TwoDigits>(significand) << (exponent - lowest_ * kDigitBits);
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  sign_ = bits >> 63 ? -1 : 1;
+  const auto biased = static_cast<int>(bits >> 52 & 0x7ff);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  // |value| = significand 2^exponent; denormals have no hidden bit, and the exponent of the smallest normal numbers.
+  const std::uint64_t significand = biased == 0 ? fraction : fraction | std::uint64_t{1} << 52;
+  const int exponent = std::max(biased, 1) - 1075;
+  lowest_ = exponent >> 6;  // rounded down
+  const TwoDigits shifted = static_cast<TwoDigits>(significand) << (exponent & 63);
   digits_[0] = static_cast<std::uint64_t>(shifted);
   digits_[1] = static_cast<std::uint64_t>(shifted >> kDigitBits);
   count_ = 2;
@@ -40,28 +44,12 @@ void Dyadic::trim() {
     sign_ = 0;
     return;
   }
-  std::size_t zeros = 0;
+  if (digits_[0] != 0) return;
+  std::size_t zeros = 1;
   while (digits_[zeros] == 0) ++zeros;
-  if (zeros == 0) return;
-  std::copy(digits_.begin() + static_cast<std::ptrdiff_t>(zeros), digits_.begin() + static_cast<std::ptrdiff_t>(count_),
-            digits_.begin());
   count_ -= zeros;
   lowest_ += static_cast<int>(zeros);
-}
-
-std::uint64_t Dyadic::digit_at(int place) const {
-  const int index = place - lowest_;
-  return index >= 0 && index < static_cast<int>(count_) ? digits_[static_cast<std::size_t>(index)] : 0;
-}
-
-int Dyadic::compare_magnitudes(const Dyadic& a, const Dyadic& b) {
-  const int top_a = a.lowest_ + static_cast<int>(a.count_), top_b = b.lowest_ + static_cast<int>(b.count_);
-  if (top_a != top_b) return top_a < top_b ? -1 : 1;
-  for (int place = top_a - 1; place >= std::min(a.lowest_, b.lowest_); --place) {
-    const std::uint64_t digit_a = a.digit_at(place), digit_b = b.digit_at(place);
-    if (digit_a != digit_b) return digit_a < digit_b ? -1 : 1;
-  }
-  return 0;
+  for (std::size_t i = 0; i < count_; ++i) digits_[i] = digits_[i + zeros];
 }
 
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, int sign_of_b) {
@@ -72,24 +60,43 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, int sign_of_b) {
     result.sign_ = sign_of_b;
     return result;
   }
-  const bool adds = a.sign_ == sign_of_b;
-  const int order = adds ? 1 : compare_magnitudes(a, b);
-  if (order == 0) return result;
-  const Dyadic& larger = order > 0 ? a : b;
-  const Dyadic& smaller = order > 0 ? b : a;
-  result.sign_ = order > 0 ? a.sign_ : sign_of_b;
-  result.lowest_ = std::min(a.lowest_, b.lowest_);
-  const int top = std::max(a.lowest_ + static_cast<int>(a.count_), b.lowest_ + static_cast<int>(b.count_));
-  result.count_ = static_cast<std::size_t>(top - result.lowest_) + 1;
-  if (result.count_ > kMost) throw std::logic_error("an exact number has more digits than its degree allows");
+  const Dyadic& low = a.lowest_ <= b.lowest_ ? a : b;
+  const Dyadic& high = a.lowest_ <= b.lowest_ ? b : a;
+  const auto gap = static_cast<std::size_t>(high.lowest_ - low.lowest_);
+  const std::size_t count = std::max(low.count_, gap + high.count_) + 1;
+  if (count > kMost) throw std::logic_error("an exact number has more digits than its degree allows");
+  result.lowest_ = low.lowest_;
+  result.count_ = count;
+  auto& digits = result.digits_;
+  std::copy_n(low.digits_.begin(), low.count_, digits.begin());
+  std::fill(digits.begin() + static_cast<std::ptrdiff_t>(low.count_),
+            digits.begin() + static_cast<std::ptrdiff_t>(count), 0);
   std::uint64_t carried = 0;
-  for (std::size_t i = 0; i < result.count_; ++i) {
-    const int place = result.lowest_ + static_cast<int>(i);
-    const TwoDigits first = larger.digit_at(place), second = smaller.digit_at(place);
-    // Below zero the difference wraps around: its upper half is then all ones.
-    const TwoDigits digit = adds ? first + second + carried : first - second - carried;
-    result.digits_[i] = static_cast<std::uint64_t>(digit);
-    carried = static_cast<std::uint64_t>(digit >> kDigitBits) & 1;
+  if (a.sign_ == sign_of_b) {
+    result.sign_ = a.sign_;
+    for (std::size_t i = gap; i < count && (i < gap + high.count_ || carried); ++i) {
+      const TwoDigits digit =
+          static_cast<TwoDigits>(digits[i]) + (i < gap + high.count_ ? high.digits_[i - gap] : 0) + carried;
+      digits[i] = static_cast<std::uint64_t>(digit);
+      carried = static_cast<std::uint64_t>(digit >> kDigitBits);
+    }
+  } else {
+    // low - high; where that is negative, it has borrowed from above the highest digit, and is turned round.
+    result.sign_ = &low == &a ? a.sign_ : sign_of_b;
+    for (std::size_t i = gap; i < count && (i < gap + high.count_ || carried); ++i) {
+      const TwoDigits digit =
+          static_cast<TwoDigits>(digits[i]) - (i < gap + high.count_ ? high.digits_[i - gap] : 0) - carried;
+      digits[i] = static_cast<std::uint64_t>(digit);
+      carried = static_cast<std::uint64_t>(digit >> kDigitBits) & 1;
+    }
+    if (carried) {
+      result.sign_ = -result.sign_;
+      std::uint64_t one = 1;
+      for (std::size_t i = 0; i < count; ++i) {
+        digits[i] = ~digits[i] + one;
+        if (digits[i] != 0) one = 0;
+      }
+    }
   }
   result.trim();
   return result;
@@ -119,10 +126,12 @@ Dyadic operator*(const Dyadic& a, const Dyadic& b) {
 long double Dyadic::rounded() const {
   // The highest digit may have a single bit. With the two below it, what is left out is less than 2^-128 of the value,
   // and each of the two sums rounds by 2^-64 of it.
-  long double value = 0;
-  for (std::size_t i = count_ < 3 ? 0 : count_ - 3; i < count_; ++i)
-    value += std::ldexp(static_cast<long double>(digits_[i]), kDigitBits * (lowest_ + static_cast<int>(i)));
-  return static_cast<long double>(sign_) * value;
+  if (count_ == 0) return 0;
+  const auto digit = [this](std::size_t from_top) {
+    return from_top < count_ ? static_cast<long double>(digits_[count_ - 1 - from_top]) : 0.0L;
+  };
+  const long double value = digit(0) + (0x1p-64L * digit(1) + 0x1p-128L * digit(2));
+  return std::ldexp(static_cast<long double>(sign_) * value, kDigitBits * (lowest_ + static_cast<int>(count_) - 1));
 }
 
 }  // namespace plumb

@@ -30,9 +30,6 @@ class Dyadic {
  private:
   /// a + b with this sign for b.
   static Dyadic sum(const Dyadic& a, const Dyadic& b, int sign_of_b);
-  /// -1, 0 or 1 for |a| <, = or > |b|; neither is zero.
-  static int compare_magnitudes(const Dyadic& a, const Dyadic& b);
-  std::uint64_t digit_at(int place) const;
   /// Drops zeros at both ends.
   void trim();
 

@@ -11,32 +11,32 @@ ClosestTriangle::ClosestTriangle(const PlacedRay& ray, const TriangleMesh& mesh,
   if (m >= 0x1p-200 && m <= 0x1p200) any_weight_error_ = weight_error(ray_, m, 12.1 * m);
 }
 
-TriangleVertices ClosestTriangle::vertices(std::uint32_t triangle) const {
+ExactTriangle ClosestTriangle::exact(std::uint32_t triangle) const {
   const auto& [a, b, c] = mesh_.triangles[triangle];
-  return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
+  return {ray_.world, ray_.world_from_object, {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]}};
 }
 
 bool ClosestTriangle::meets(std::uint32_t triangle) const {
-  const TriangleVertices corners = vertices(triangle);
-  const auto& [a, b, c] = corners;
-  const ShearedTriangle sheared(ray_, a, b, c);
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  const auto& p = mesh_.positions;
+  const ShearedTriangle sheared(ray_, p[a], p[b], p[c]);
   if (sheared.is_missed(any_weight_error_)) return false;
-  const auto meeting = meet(ray_, sheared, a, b, c);
-  return meeting && t_in_range(ray_, *meeting, corners);
+  const auto meeting = meet(ray_, sheared, p[a], p[b], p[c]);
+  return meeting && t_in_range(ray_, *meeting, p[a], p[b], p[c]);
 }
 
 bool ClosestTriangle::is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle) const {
   if (meeting.t + meeting.t_error < best_.t - best_.t_error) return true;  // rounding is monotone
-  const int order = ExactTriangle(ray_.world, ray_.world_from_object, vertices(triangle))
-                        .compare_t(ExactTriangle(ray_.world, ray_.world_from_object, vertices(best_triangle_)));
+  const int order = exact(triangle).compare_t(exact(best_triangle_));
   return order < 0 || (order == 0 && triangle < best_triangle_);
 }
 
 void ClosestTriangle::consider(std::uint32_t triangle, const ShearedTriangle& sheared) {
-  const TriangleVertices corners = vertices(triangle);
-  std::optional<TriangleMeeting> meeting = meet(ray_, sheared, corners[0], corners[1], corners[2]);
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  const auto& p = mesh_.positions;
+  std::optional<TriangleMeeting> meeting = meet(ray_, sheared, p[a], p[b], p[c]);
   if (!meeting || meeting->t - meeting->t_error > t_max_ || (found_ && triangle == best_triangle_)) return;
-  const std::optional<double> t = t_in_range(ray_, *meeting, corners);
+  const std::optional<double> t = t_in_range(ray_, *meeting, p[a], p[b], p[c]);
   if (!t) return;
   meeting->t = *t;
   if (found_ && !is_nearer(*meeting, triangle)) return;

@@ -34,7 +34,7 @@ class ClosestTriangle {
 
  private:
   void consider(std::uint32_t triangle, const ShearedTriangle& sheared);
-  TriangleVertices vertices(std::uint32_t triangle) const;
+  ExactTriangle exact(std::uint32_t triangle) const;
   /// Whether this meeting lies before the best one, both in the range.
   bool is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle) const;
 

@@ -1,7 +1,9 @@
 #include "renderer/surfaces/exact_triangle.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace plumb {
 namespace {
@@ -25,7 +27,17 @@ ExactVector seen_from(const Point3& origin, const Transform* world_from_object, 
   return seen;
 }
 
-double rounded_quotient(const Dyadic& a, const Dyadic& b) { return static_cast<double>(a.rounded() / b.rounded()); }
+/// a / b to nearest, ties to even; b is not zero.
+double rounded_quotient(const Dyadic& a, const Dyadic& b) {
+  // Each number is off by 2^-62 of itself, and the quotient by 2^-64.
+  const long double about = a.rounded() / b.rounded();
+  const auto low = static_cast<double>(about * (1 - 0x1p-60L)), high = static_cast<double>(about * (1 + 0x1p-60L));
+  if (low == high || std::isinf(low) || std::isinf(high)) return static_cast<double>(about);
+  // The middle between two doubles is within the interval.
+  const int side = ((Dyadic(low) + high) * b - a * 2).sign() * b.sign();
+  if (side == 0) return std::bit_cast<std::uint64_t>(low) % 2 == 0 ? low : high;
+  return (side < 0) == (low < high) ? high : low;
+}
 
 }  // namespace
 

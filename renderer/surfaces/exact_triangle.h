@@ -28,7 +28,7 @@ class ExactTriangle {
   /// The same with another's t.
   int compare_t(const ExactTriangle& other) const;
 
-  /// t and the weights of B and C, rounded: within .501 of a unit of the last place, or 2^-1074.
+  /// t and the weights of B and C, each rounded to nearest, ties to even; infinite beyond the largest double.
   double t() const;
   double weight_b() const;
   double weight_c() const;

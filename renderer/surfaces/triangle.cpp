@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/math/exact_sum.h"
-
 namespace plumb {
 namespace {
 
@@ -45,69 +43,24 @@ std::array<long double, 3> wide_weights(const Ray& ray, const Point3& a, const P
           triple(ray.direction, wide_difference(b, ray.origin), wide_difference(a, b))};
 }
 
-using ExactVector = std::array<ExactSum, 3>;
-
-ExactVector exact_difference(const Point3& a, const Point3& b) {
-  return {ExactSum(a.x) - b.x, ExactSum(a.y) - b.y, ExactSum(a.z) - b.z};
-}
-
-ExactVector cross(const ExactVector& p, const ExactVector& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-ExactSum dot(const ExactVector& p, const ExactVector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-
-/// t as a quotient of two exact numbers: three roundings to 64 bits and one to a double.
-double quotient_error(double t) { return 0x1p-51 * std::fabs(t) + 0x1p-1070; }
+/// Of a t that is rounded once.
+double rounding_error(double t) { return 0x1p-51 * std::fabs(t) + 0x1p-1070; }
 
 std::optional<TriangleMeeting> if_finite(const TriangleMeeting& meeting) {
   if (!std::isfinite(meeting.t)) return std::nullopt;
   return meeting;
 }
 
-/// Without rounding in world space, up to the numbers at the end.
-std::optional<TriangleMeeting> exactly_meet_in_world(const ShearedRay& sheared, const TriangleVertices& vertices) {
-  const Ray& ray = sheared.world;
-  if (!is_finite(ray.origin) || !is_finite(ray.direction)) return std::nullopt;
-  for (const Point3& vertex : vertices)
-    if (!is_finite(vertex)) return std::nullopt;
-  const ExactTriangle exact(ray, sheared.world_from_object, vertices);
-  if (!exact.is_met()) return std::nullopt;
-  const double t = exact.t();
-  return if_finite({t, quotient_error(t), exact.weight_b(), exact.weight_c(), 1});
-}
-
-/// Whether exact sums hold polynomials of degree 3 in them: each is zero or within [2^-250, 2^250].
-template <class Triple>
-bool fits_exact_sums(const Triple& v) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double size = std::fabs(v[axis]);
-    if (size != 0 && !(size >= 0x1p-250 && size <= 0x1p250)) return false;
-  }
-  return true;
-}
-
-/// The same for a ray that is not placed, in sums of doubles: the weights are triple products with the direction, which
-/// are those of the sheared points times direction[kz].
+/// Without rounding, in world space, up to the numbers at the end.
 std::optional<TriangleMeeting> exactly_meet(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                             const Point3& c) {
-  const Ray& ray = sheared.ray;
-  if (sheared.world_from_object || !fits_exact_sums(ray.origin) || !fits_exact_sums(ray.direction) ||
-      !fits_exact_sums(a) || !fits_exact_sums(b) || !fits_exact_sums(c))
-    return exactly_meet_in_world(sheared, {a, b, c});
-  const ExactVector to_a = exact_difference(a, ray.origin);
-  const ExactVector to_b = exact_difference(b, ray.origin);
-  const ExactVector to_c = exact_difference(c, ray.origin);
-  const ExactVector direction{ray.direction.x, ray.direction.y, ray.direction.z};
-  const ExactVector c_cross_b = cross(to_c, to_b);
-  const ExactSum weights[] = {dot(direction, c_cross_b), dot(direction, cross(to_a, to_c)),
-                              dot(direction, cross(to_b, to_a))};
-  const auto [low, high] = std::minmax({weights[0].sign(), weights[1].sign(), weights[2].sign()});
-  if (low == -high) return std::nullopt;  // on different sides, or all zero
-  const long double sum = (weights[0] + weights[1] + weights[2]).rounded();
-  const double t = static_cast<double>(dot(to_a, c_cross_b).rounded() / sum);
-  return if_finite({t, quotient_error(t), static_cast<double>(weights[1].rounded() / sum),
-                    static_cast<double>(weights[2].rounded() / sum), 1});
+  const Ray& ray = sheared.world;
+  if (!is_finite(ray.origin) || !is_finite(ray.direction) || !is_finite(a) || !is_finite(b) || !is_finite(c))
+    return std::nullopt;
+  const ExactTriangle exact(ray, sheared.world_from_object, {a, b, c});
+  if (!exact.is_met()) return std::nullopt;
+  const double t = exact.t();
+  return if_finite({t, rounding_error(t), exact.weight_b(), exact.weight_c(), 1});
 }
 
 /// Outside of these a product of three or four coordinates could leave the range of doubles, or be rounded below it.
@@ -119,7 +72,7 @@ std::optional<TriangleMeeting> meet_in_its_own_units(const ShearedRay& sheared, 
                                                      const Point3& b, const Point3& c) {
   const Ray& ray = sheared.ray;
   const double along = largest(ray.direction);
-  if (sheared.world_from_object) return exactly_meet_in_world(sheared, {a, b, c});
+  if (sheared.world_from_object) return exactly_meet(sheared, a, b, c);
   if (!(distance > 0 && along > 0 && std::isfinite(distance) && std::isfinite(along))) return std::nullopt;
   const int points = -std::ilogb(distance), directions = -std::ilogb(along);
   bool exact = true;
@@ -133,7 +86,7 @@ std::optional<TriangleMeeting> meet_in_its_own_units(const ShearedRay& sheared, 
   };
   const Ray unit{scaled(ray.origin, points), scaled(ray.direction, directions), -kInfinity};
   const Point3 unit_a = scaled(a, points), unit_b = scaled(b, points), unit_c = scaled(c, points);
-  if (!exact) return exactly_meet_in_world(sheared, {a, b, c});
+  if (!exact) return exactly_meet(sheared, a, b, c);
   const ShearedRay unit_ray(unit);
   auto meeting = meet(unit_ray, ShearedTriangle(unit_ray, unit_a, unit_b, unit_c), unit_a, unit_b, unit_c);
   if (!meeting) return std::nullopt;
@@ -186,13 +139,13 @@ std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTria
   const double error = weight_error(sheared, m, reach);
   const bool is_placed = sheared.world_from_object != nullptr;
   if (!(error <= kLargest)) {  // NaN, or a direction without digits
-    if (is_placed) return exactly_meet_in_world(sheared, {a, b, c});
+    if (is_placed) return exactly_meet(sheared, a, b, c);
     return std::nullopt;
   }
   Side side = side_of(weights, error);
   if (side == Side::unsure) {
     // The errors of a placed ray are those of doubles at least.
-    if (is_placed) return exactly_meet_in_world(sheared, {a, b, c});
+    if (is_placed) return exactly_meet(sheared, a, b, c);
     // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
     const double edge = std::max({largest(b - a), largest(c - b), largest(a - c)});
     const auto wide = wide_weights(ray, a, b, c);
@@ -220,26 +173,24 @@ std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTria
 
   const double t = distance / facing;
   const double facing_error = 0x1p-47 * size * along + 8 * size * sheared.direction_error;
-  const double t_error = (distance_error + std::fabs(t) * facing_error) / std::fabs(facing);
+  const double t_error = (distance_error + std::fabs(t) * facing_error) * (1 / std::fabs(facing));
   return if_finite({t, t_error, weights[1], weights[2], weights[0] + weights[1] + weights[2]});
 }
 
-std::optional<double> t_in_range(const ShearedRay& sheared, const TriangleMeeting& meeting,
-                                 const TriangleVertices& vertices) {
+std::optional<double> exact_t_in_range(const ShearedRay& sheared, const TriangleMeeting& meeting, const Point3& a,
+                                       const Point3& b, const Point3& c) {
   const Ray& ray = sheared.ray;
-  const double t = meeting.t, error = meeting.t_error;
-  if (t - error > ray.t_min && t + error < ray.t_max) return t;  // rounding is monotone, so these hold without it
-  if (t + error < ray.t_min || t - error > ray.t_max || !(ray.t_min <= ray.t_max)) return std::nullopt;
-  const ExactTriangle exact(sheared.world, sheared.world_from_object, vertices);
+  if (!(ray.t_min <= ray.t_max)) return std::nullopt;  // NaN too
+  const ExactTriangle exact(sheared.world, sheared.world_from_object, {a, b, c});
   if (exact.compare_t(ray.t_min) < 0 || exact.compare_t(ray.t_max) > 0) return std::nullopt;
-  return std::clamp(t, ray.t_min, ray.t_max);
+  return std::clamp(meeting.t, ray.t_min, ray.t_max);
 }
 
 std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                               const Point3& c) {
   const auto meeting = meet(sheared, ShearedTriangle(sheared, a, b, c), a, b, c);
   if (!meeting) return std::nullopt;
-  const auto t = t_in_range(sheared, *meeting, {a, b, c});
+  const auto t = t_in_range(sheared, *meeting, a, b, c);
   if (!t) return std::nullopt;
   return meeting->hit(*t);
 }

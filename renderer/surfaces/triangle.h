@@ -88,10 +88,11 @@ struct ShearedTriangle {
 
   /// The largest coordinate of a vertex from the origin.
   double largest() const {
-    double m = 0;
-    for (const auto& v : from_origin)
-      m = std::max(m, std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2])));
-    return m;
+    const auto of = [this](std::size_t i) {
+      const auto& v = from_origin[i];
+      return std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+    };
+    return std::max(std::max(of(0), of(1)), of(2));
   }
 
   /// The vertices from the ray's origin, in the order of its axes kx, ky, kz.
@@ -128,10 +129,20 @@ inline double weight_error(const ShearedRay& ray, double m, double reach) {
 std::optional<TriangleMeeting> meet(const ShearedRay& ray, const ShearedTriangle& sheared, const Point3& a,
                                     const Point3& b, const Point3& c);
 
+/// As t_in_range, where the rounded t is too near to a bound to tell.
+std::optional<double> exact_t_in_range(const ShearedRay& ray, const TriangleMeeting& meeting, const Point3& a,
+                                       const Point3& b, const Point3& c);
+
 /// The t to report of a meeting whose exact t lies in the ray's closed range: nothing if it does not. Where the rounded
 /// t lies outside, the bound.
-std::optional<double> t_in_range(const ShearedRay& ray, const TriangleMeeting& meeting,
-                                 const TriangleVertices& vertices);
+inline std::optional<double> t_in_range(const ShearedRay& sheared, const TriangleMeeting& meeting, const Point3& a,
+                                        const Point3& b, const Point3& c) {
+  const Ray& ray = sheared.ray;
+  const double low = meeting.t - meeting.t_error, high = meeting.t + meeting.t_error;
+  if (low > ray.t_min && high < ray.t_max) return meeting.t;  // rounding is monotone, so these hold without it
+  if (high < ray.t_min || low > ray.t_max) return std::nullopt;
+  return exact_t_in_range(sheared, meeting, a, b, c);
+}
 
 /// The box of each triangle of a mesh, in its order.
 std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh);

@@ -165,7 +165,8 @@ std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTria
   // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
   const double size = largest(edge_b) * largest(edge_c);
   const double along = std::fabs(ray.direction[sheared.kz]);
-  const bool is_steep = std::fabs(facing) > 0x1p-6 * size * along;
+  // What underflows is far below the bounds, unless the edges are tiny.
+  const bool is_steep = size >= 0x1p-500 && std::fabs(facing) > 0x1p-6 * size * along;
   const double distance_error = 0x1p-47 * size * largest(to_a) + 8 * size * sheared.origin_error;
   const bool starts_on_it =
       std::fabs(distance) < distance_error && !(std::fabs(distance) + distance_error < ray.t_min * std::fabs(facing));

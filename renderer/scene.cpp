@@ -53,10 +53,58 @@ double origin_margin(const std::vector<PlacedSurface>& placed) {
   return 2 * largest * SlabTest::kMargin;
 }
 
-/// The ray in the surface's own frame; a surface outside of any group pays nothing for groups.
-Ray object_ray(const PlacedSurface& placed, const Ray& world) {
-  return placed.world_from_object.is_identity() ? world : placed.world_from_object.inverse_of(world);
-}
+/// Holds the nearest hit of several surfaces. Triangles are ordered among each other by their exact t, solids by the
+/// double that they report, equal ones by the order of the surfaces; and the first triangle against the first solid by
+/// the exact t rounded to nearest, which is monotone. So nothing depends on what is found first.
+class ClosestSurface {
+ public:
+  ClosestSurface(const Ray& ray, const std::vector<PlacedSurface>& placed) : ray_(ray), placed_(placed) {}
+
+  /// What lies strictly beyond is not nearer.
+  double nearest() const {
+    double t = Bounds3::kInfinity;
+    if (triangle_) t = triangle_->hit.t + triangle_->hit.t_error;
+    return solid_ ? std::min(t, solid_->hit.t) : t;
+  }
+
+  void offer(const Scene::Hit& hit) {
+    if (vertices(hit)) {
+      if (!triangle_ || is_nearer_triangle(hit, *triangle_)) triangle_ = hit;
+    } else if (!solid_ || hit.hit.t < solid_->hit.t || (hit.hit.t == solid_->hit.t && hit.placed < solid_->placed)) {
+      solid_ = hit;
+    }
+  }
+
+  std::optional<Scene::Hit> found() const {
+    if (!triangle_ || !solid_) return triangle_ ? triangle_ : solid_;
+    const double solid_t = solid_->hit.t, t = triangle_->hit.t, error = triangle_->hit.t_error;
+    if (t + error < solid_t) return triangle_;  // rounding is monotone, so what it leaves apart is apart
+    if (t - error > solid_t) return solid_;
+    const double nearest_t = exact(*triangle_).t();
+    return nearest_t < solid_t || (nearest_t == solid_t && triangle_->placed < solid_->placed) ? triangle_ : solid_;
+  }
+
+ private:
+  bool is_nearer_triangle(const Scene::Hit& a, const Scene::Hit& b) const {
+    if (a.hit.t + a.hit.t_error < b.hit.t - b.hit.t_error) return true;
+    if (a.hit.t - a.hit.t_error > b.hit.t + b.hit.t_error) return false;
+    const int order = exact(a).compare_t(exact(b));
+    return order < 0 || (order == 0 && a.placed < b.placed);
+  }
+
+  std::optional<TriangleVertices> vertices(const Scene::Hit& hit) const {
+    return placed_[hit.placed].surface->triangle(hit.hit.part);
+  }
+
+  ExactTriangle exact(const Scene::Hit& hit) const {
+    const Transform& transform = placed_[hit.placed].world_from_object;
+    return {ray_, transform.is_identity() ? nullptr : &transform, vertices(hit).value()};
+  }
+
+  const Ray& ray_;
+  const std::vector<PlacedSurface>& placed_;
+  std::optional<Scene::Hit> triangle_, solid_;
+};
 
 }  // namespace
 
@@ -65,32 +113,31 @@ Scene::Scene(SceneContents contents, Accel accel)
       accelerator_(accel, search_bounds(contents_.placed), origin_margin(contents_.placed)) {}
 
 std::optional<Scene::Hit> Scene::closest_hit(const Ray& ray, TraceCounters& counters) const {
-  std::optional<Hit> closest;
+  ClosestSurface closest(ray, contents_.placed);
   Ray rest = ray;
   accelerator_.walk(rest, counters, [&](std::uint32_t index) {
     ++counters.primitive_tests;
     const PlacedSurface& placed = contents_.placed[index];
-    const std::optional<SurfaceHit> hit = placed.surface->intersect(object_ray(placed, rest), counters);
-    if (hit && (!closest || hit->t < closest->hit.t || index < closest->placed)) {
-      closest = Hit{*hit, index};
-      rest.t_max = hit->t;
-    }
+    PlacedRay placed_ray(ray, placed.world_from_object);
+    placed_ray.nearest = closest.nearest();
+    if (const auto hit = placed.surface->intersect_placed(placed_ray, counters)) closest.offer({*hit, index});
+    rest.t_max = std::min(ray.t_max, closest.nearest());
     return false;
   });
-  return closest;
+  return closest.found();
 }
 
 bool Scene::blocks(const Ray& ray, TraceCounters& counters) const {
   return accelerator_.walk(ray, counters, [&](std::uint32_t index) {
     ++counters.primitive_tests;
     const PlacedSurface& placed = contents_.placed[index];
-    return placed.surface->blocks(object_ray(placed, ray), counters);
+    return placed.surface->blocks_placed(PlacedRay(ray, placed.world_from_object), counters);
   });
 }
 
 ShadingPoint Scene::shading_point(const Ray& ray, const Hit& hit) const {
   const PlacedSurface& placed = contents_.placed[hit.placed];
-  const Normal3 normal = placed.surface->normal(object_ray(placed, ray), hit.hit);
+  const Normal3 normal = placed.surface->normal(PlacedRay(ray, placed.world_from_object).object, hit.hit);
   return {ray.at(hit.hit.t),
           normalized(placed.world_from_object.is_identity() ? normal : placed.world_from_object(normal)),
           normalized(-ray.direction)};

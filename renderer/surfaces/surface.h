@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,6 +18,8 @@
 #include "scenes/object_description.h"
 
 namespace plumb {
+
+class TriangleSearch;
 
 /// Where a ray meets a surface: enough to find the normal later, so that only the closest hit pays for it.
 struct SurfaceHit {
@@ -46,7 +49,7 @@ class Surface {
   /// lies beyond `nearest` as out of range. Meshes decide for the world's ray.
   virtual std::optional<SurfaceHit> intersect_placed(const PlacedRay& ray, TraceCounters& counters) const;
   virtual bool blocks_placed(const PlacedRay& ray, TraceCounters& counters) const {
-    return blocks(ray.object, counters);
+    return blocks(ray.object(), counters);
   }
 
   /// The corners of a part that is a flat triangle, which is hit as an exact one; nothing of other surfaces.
@@ -63,7 +66,7 @@ class Surface {
 };
 
 inline std::optional<SurfaceHit> Surface::intersect_placed(const PlacedRay& ray, TraceCounters& counters) const {
-  Ray rest = ray.object;
+  Ray rest = ray.object();
   if (ray.nearest < rest.t_max) rest.t_max = ray.nearest;
   return intersect(rest, counters);
 }
@@ -73,6 +76,10 @@ struct SurfaceContext {
   const MeshTable& meshes;
   Accel accel;
   std::vector<std::string>& warnings;
+  /// How many may build, at least 1.
+  int threads = 1;
+  /// Those made so far: several elements with the same mesh share one.
+  std::map<const TriangleMesh*, std::shared_ptr<const TriangleSearch>> searches{};
 };
 
 /// A kind of surface: its parameter table and how one is made. Making throws InputError at the parameter at fault.

@@ -1,17 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "meshes/generators/icosphere.h"
 #include "meshes/formats/write_msh.h"
+#include "meshes/generators/icosphere.h"
+#include "renderer/accel/triangle_search.h"
 #include "renderer/scene_for_tests.h"
 
 namespace plumb {
 namespace {
 
 /// A mesh whose numbers are all floats, so that reading it changes none.
-OneSurface surface_of(const TriangleMesh& mesh, Accel accel = Accel::bvh2) {
+OneSurface surface_of(const TriangleMesh& mesh, Accel accel = Accel::bvh8) {
   write_msh(mesh, scene_test_file("mesh.msh"));
   return OneSurface("<surface type='Mesh'><data>mesh.msh</data></surface>",
                     {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
@@ -49,7 +51,7 @@ TEST(Mesh, GivenNormalsAreInterpolatedByBarycentricWeights) {
 TEST(Mesh, TheLowestTriangleWinsATie) {
   TriangleMesh twice = quad();
   twice.triangles = {{0, 2, 3}, {0, 1, 2}, {0, 1, 2}, {1, 2, 0}};
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const OneSurface mesh = surface_of(twice, accel);
     EXPECT_EQ(mesh.hit({{1.5, 0.5, 3}, {0, 0, -1}})->part, 1u);
     EXPECT_EQ(mesh.hit({{1, 1, 3}, {0, 0, -1}})->part, 0u) << "on the shared edge";
@@ -67,11 +69,28 @@ TEST(Mesh, RangeIsClosedAtBothEnds) {
 TEST(Mesh, WithoutTrianglesIsNeverHit) {
   TriangleMesh empty;
   empty.positions = {{0, 0, 0}};
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const OneSurface mesh = surface_of(empty, accel);
     EXPECT_FALSE(mesh.hit({{0, 0, 3}, {0, 0, -1}}));
     EXPECT_TRUE(mesh->bounds().empty());
   }
+}
+
+TEST(Mesh, ElementsOfTheSameFileShareOneHierarchy) {
+  write_msh(quad(), scene_test_file("mesh.msh"));
+  const std::string mesh = "<surface type='Mesh'><data>mesh.msh</data></surface>";
+  const ReadScene read = scene_of(mesh + "<surface type='Group'><scale>2 2 2</scale>" + mesh + "</surface>");
+  const MeshTable meshes = load_meshes(read.description);
+  std::vector<std::string> warnings;
+  SurfaceContext context{meshes, Accel::bvh8, warnings};
+  const auto kind = std::ranges::find(surface_kinds(), "Mesh", [](const SurfaceKind* each) { return each->kind.name; });
+  std::vector<std::unique_ptr<Surface>> made;
+  const auto elements = read.description.scene->objects("surface");
+  for (const ObjectPointer& element : {elements[0], elements[1]->objects("surface")[0]})
+    made.push_back((*kind)->make(*element, context));
+  ASSERT_EQ(context.searches.size(), 1u);
+  EXPECT_EQ(context.searches.begin()->second.use_count(), 3) << "the table's and the two surfaces'";
+  EXPECT_EQ(read.scene.placed().size(), 2u);
 }
 
 TEST(Mesh, BoundsLeaveOutVerticesThatNoTriangleUses) {
@@ -81,7 +100,7 @@ TEST(Mesh, BoundsLeaveOutVerticesThatNoTriangleUses) {
 }
 
 TEST(Mesh, RayWithNanHitsNothing) {
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const OneSurface mesh = surface_of(quad(), accel);
     EXPECT_TRUE(mesh.hit({{0.1, 0.2, 5}, {0, 0, -1}}));
     int rays = 0;

@@ -1,0 +1,209 @@
+#include "renderer/accel/binary_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <future>
+#include <limits>
+
+#include "renderer/accel/bvh8_layout.h"
+
+namespace plumb {
+namespace {
+
+constexpr int kBins = 16;
+/// Below so many levels, nodes are halved by count, so that paths stay short: 2^32 triangles have 32 levels more.
+constexpr int kBalanced = 60;
+/// A subtree of fewer triangles is not worth a thread.
+constexpr std::uint32_t kWorthAThread = 4096;
+
+/// What testing so many triangles costs: leaves of about five, and something for each.
+float cost_of(std::uint32_t count) { return static_cast<float>(count); }
+
+/// Twice the centre.
+BoxSide center_of(const FloatBox& box) { return box.low + box.high; }
+
+struct Range {
+  std::uint32_t begin, end;
+  FloatBox box, centers;
+  std::uint32_t count() const { return end - begin; }
+};
+
+struct Bins {
+  std::array<std::array<FloatBox, kBins>, 3> boxes;
+  std::array<std::array<std::uint32_t, kBins>, 3> counts{};
+};
+
+struct Split {
+  float cost = std::numeric_limits<float>::infinity();
+  std::size_t axis = 0;
+  int bin = 0;  // the first on the right
+};
+
+/// Which bin a centre falls into, on each axis.
+class Binning {
+ public:
+  explicit Binning(const FloatBox& centers) : low_(centers.low) {
+    const BoxSide extent = centers.high - centers.low;
+    for (int axis = 0; axis < 3; ++axis) scale_[axis] = extent[axis] > 0 ? 0.9999F * kBins / extent[axis] : 0;
+  }
+  bool splits(std::size_t axis) const { return scale_[static_cast<int>(axis)] > 0 && scale_[static_cast<int>(axis)] < FloatBox::kFar; }
+  using Places = std::int32_t __attribute__((vector_size(16)));
+  Places of(const FloatBox& box) const {
+    return __builtin_convertvector((center_of(box) - low_) * scale_, Places);
+  }
+
+ private:
+  BoxSide low_;
+  BoxSide scale_{};
+};
+
+class BinaryBuilder {
+ public:
+  BinaryBuilder(const TriangleMesh& mesh, std::span<TriangleBox> boxes, int threads)
+      : mesh_(mesh), boxes_(boxes), nodes_(2 * boxes.size()), helpers_(threads - 1) {}
+
+  MappedArray<BinaryNode> build() {
+    Range all{0, static_cast<std::uint32_t>(boxes_.size()), {}, {}};
+    for (const TriangleBox& box : boxes_) {
+      all.box.extend(box.box);
+      all.centers.extend(center_of(box.box));
+    }
+    build_node(0, all, 1);
+    nodes_.shrink(used_);
+    return std::move(nodes_);
+  }
+
+ private:
+  void build_node(std::uint32_t index, const Range& range, int depth) {
+    BinaryNode& node = nodes_[index];
+    node.box = range.box;
+    if (range.count() <= kLeafTriangles &&
+        count_vertices(mesh_, boxes_.subspan(range.begin, range.count()), kLeafVertices) <= kLeafVertices) {
+      node.first = range.begin;
+      node.count = range.count();
+      return;
+    }
+    const auto [left, right] = split(range, depth);
+    const std::uint32_t first = used_.fetch_add(2, std::memory_order_relaxed);
+    node.first = first;
+    node.count = 0;
+    if (std::min(left.count(), right.count()) >= kWorthAThread && helpers_.fetch_sub(1) > 0) {
+      auto other = std::async(std::launch::async, [&] { build_node(first + 1, right, depth + 1); });
+      build_node(first, left, depth + 1);
+      other.get();
+      helpers_.fetch_add(1);
+    } else {
+      if (std::min(left.count(), right.count()) >= kWorthAThread) helpers_.fetch_add(1);
+      build_node(first, left, depth + 1);
+      build_node(first + 1, right, depth + 1);
+    }
+  }
+
+  std::pair<Range, Range> split(const Range& range, int depth) {
+    const Binning binning(range.centers);
+    const Split best = depth < kBalanced ? best_split(range, binning) : Split{};
+    if (best.cost == std::numeric_limits<float>::infinity()) return halves(range);
+    return partition(range, binning, best);
+  }
+
+  Split best_split(const Range& range, const Binning& binning) const {
+    Bins bins;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      const FloatBox& box = boxes_[i].box;
+      const auto place = binning.of(box);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto bin = static_cast<std::size_t>(place[static_cast<int>(axis)]);
+        bins.boxes[axis][bin].extend(box);
+        ++bins.counts[axis][bin];
+      }
+    }
+    Split best;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (binning.splits(axis)) improve(best, bins, axis, range.count());
+    return best;
+  }
+
+  static void improve(Split& best, const Bins& bins, std::size_t axis, std::uint32_t count) {
+    std::array<float, kBins> right_cost;
+    FloatBox right;
+    std::uint32_t on_right = 0;
+    for (int b = kBins - 1; b > 0; --b) {
+      const auto bin = static_cast<std::size_t>(b);
+      right.extend(bins.boxes[axis][bin]);
+      on_right += bins.counts[axis][bin];
+      right_cost[bin] = on_right ? right.half_area() * cost_of(on_right) : 0;
+    }
+    FloatBox left;
+    std::uint32_t on_left = 0;
+    for (int b = 1; b < kBins; ++b) {
+      const auto bin = static_cast<std::size_t>(b);
+      left.extend(bins.boxes[axis][bin - 1]);
+      on_left += bins.counts[axis][bin - 1];
+      if (on_left == 0 || on_left == count) continue;
+      const float cost = left.half_area() * cost_of(on_left) + right_cost[bin];
+      if (cost < best.cost) best = {cost, axis, b};
+    }
+  }
+
+  std::pair<Range, Range> partition(const Range& range, const Binning& binning, const Split& split) {
+    Range left{range.begin, range.begin, {}, {}}, right{range.end, range.end, {}, {}};
+    const auto add = [](Range& to, const FloatBox& box) {
+      to.box.extend(box);
+      to.centers.extend(center_of(box));
+    };
+    std::uint32_t i = range.begin, end = range.end;
+    while (i < end) {
+      const FloatBox& box = boxes_[i].box;
+      if (binning.of(box)[static_cast<int>(split.axis)] < split.bin) {
+        add(left, box);
+        ++i;
+      } else {
+        add(right, box);
+        std::swap(boxes_[i], boxes_[--end]);
+      }
+    }
+    left.end = right.begin = i;
+    return {left, right};
+  }
+
+  /// Where no plane parts the centres, any half is as good as another.
+  std::pair<Range, Range> halves(const Range& range) {
+    const std::uint32_t middle = range.begin + range.count() / 2;
+    Range left{range.begin, middle, {}, {}}, right{middle, range.end, {}, {}};
+    for (Range* half : {&left, &right}) {
+      for (std::uint32_t i = half->begin; i < half->end; ++i) {
+        half->box.extend(boxes_[i].box);
+        half->centers.extend(center_of(boxes_[i].box));
+      }
+    }
+    return {left, right};
+  }
+
+  const TriangleMesh& mesh_;
+  std::span<TriangleBox> boxes_;
+  MappedArray<BinaryNode> nodes_;
+  std::atomic<std::uint32_t> used_ = 1;
+  std::atomic<int> helpers_;
+};
+
+}  // namespace
+
+std::uint32_t count_vertices(const TriangleMesh& mesh, std::span<const TriangleBox> triangles, std::uint32_t most) {
+  std::array<std::uint32_t, 3 * kLeafTriangles> seen;
+  std::uint32_t count = 0;
+  for (const TriangleBox& box : triangles) {
+    for (const std::uint32_t vertex : mesh.triangles[box.triangle()]) {
+      if (std::find(seen.begin(), seen.begin() + count, vertex) != seen.begin() + count) continue;
+      seen[count++] = vertex;
+      if (count > most) return count;
+    }
+  }
+  return count;
+}
+
+MappedArray<BinaryNode> build_binary_tree(const TriangleMesh& mesh, std::span<TriangleBox> boxes, int threads) {
+  return BinaryBuilder(mesh, boxes, threads).build();
+}
+
+}  // namespace plumb

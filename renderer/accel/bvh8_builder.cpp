@@ -1,0 +1,238 @@
+#include "renderer/accel/bvh8_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <thread>
+#include <vector>
+
+#include "renderer/accel/binary_tree.h"
+#include "renderer/accel/filter_ray.h"
+#include "renderer/math/bounds3.h"
+
+namespace plumb {
+namespace {
+
+/// Calls f(begin, end) for parts of 0 .. count - 1, one a thread.
+template <class F>
+void in_parts(std::size_t count, int threads, const F& f) {
+  const std::size_t parts = count < 10000 ? 1 : static_cast<std::size_t>(threads);
+  std::vector<std::jthread> others;
+  for (std::size_t i = 1; i < parts; ++i) others.emplace_back([&, i] { f(count * i / parts, count * (i + 1) / parts); });
+  f(0, count / parts);
+}
+
+bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+/// The frame in which the vertices are floats, and of moderate size.
+FilterFrame frame_of(const TriangleMesh& mesh) {
+  Bounds3 bounds;
+  for (const Point3& p : mesh.positions)
+    if (is_finite(p)) bounds.extend(p);
+  FilterFrame frame;
+  if (bounds.empty()) return frame;
+  const auto reach_from = [&](const Point3& center) {
+    double reach = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      reach = std::max({reach, std::fabs(bounds.min[axis] - center[axis]), std::fabs(bounds.max[axis] - center[axis])});
+    return reach;
+  };
+  double reach = reach_from({});
+  const Point3 middle = bounds.center();
+  // Far from the origin, as in [1000, 1001]: the difference of such numbers needs fewer digits.
+  if (reach > 16 * reach_from(middle) && reach < 0x1p100) {
+    for (int axis = 0; axis < 3; ++axis) frame.center[axis] = static_cast<double>(static_cast<float>(middle[axis]));
+    reach = reach_from(frame.center);
+  }
+  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0) frame.factor = std::scalbn(1.0, -std::ilogb(reach));
+  frame.reach = std::max(reach * frame.factor, 0x1p-30) * (1 + 0x1p-20);
+  return frame;
+}
+
+/// The vertices in the frame, and how far rounding them to floats moved one on an axis at most.
+class FrameVertices {
+ public:
+  FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, int threads) : vertices_(mesh.positions.size()) {
+    std::atomic<double> error = 0;
+    in_parts(mesh.positions.size(), threads, [&](std::size_t begin, std::size_t end) {
+      double largest = 0;
+      for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, set(i, mesh.positions[i], frame));
+      for (double seen = error; seen < largest && !error.compare_exchange_weak(seen, largest);) {
+      }
+    });
+    frame.vertex_error = error;
+    if (error > 0 && frame.center != Point3{}) frame.vertex_error += 0x1p-52 * frame.reach;
+  }
+  BoxSide operator[](std::uint32_t i) const { return vertices_[i]; }
+
+ private:
+  double set(std::size_t i, const Point3& p, const FilterFrame& frame) {
+    BoxSide vertex{};
+    double error = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double moved = p[axis] - frame.center[axis];
+      const double exact = moved * frame.factor;
+      vertex[axis] = static_cast<float>(exact);
+      // What the subtraction lost shows when it is undone.
+      const double lost = std::fabs((frame.center[axis] + moved) - p[axis]) * frame.factor;
+      const double off = std::fabs(static_cast<double>(vertex[axis]) - exact) + lost;
+      if (off > error) error = off;  // not of NaN, whose triangles are left out
+    }
+    vertices_[i] = vertex;
+    return std::isfinite(error) ? error : 0;
+  }
+
+  MappedArray<BoxSide> vertices_;
+};
+
+/// Gathers eight children at a time from the binary tree.
+class Gatherer {
+ public:
+  Gatherer(const TriangleMesh& mesh, const FrameVertices& vertices, std::span<const TriangleBox> boxes, std::span<const BinaryNode> binary,
+           Bvh8Tree& tree, int threads)
+      : mesh_(mesh), vertices_(vertices), boxes_(boxes), binary_(binary), tree_(tree), helpers_(threads - 1) {}
+
+  void gather() {
+    tree_.nodes = MappedArray<Bvh8Node>(binary_.size());
+    tree_.leaves = MappedArray<Bvh8Leaf>(binary_.size());
+    tree_.triangles = MappedArray<std::uint32_t>(boxes_.size());
+    gather_node(0, 0);
+    tree_.nodes.shrink(nodes_);
+    tree_.leaves.shrink(leaves_);
+  }
+
+ private:
+  struct Children {
+    std::array<std::uint32_t, 8> items;
+    std::uint32_t count = 0, nodes = 0;
+  };
+
+  void gather_node(std::uint32_t index, std::uint32_t root) {
+    Children children = children_of(root);
+    Bvh8Node& node = tree_.nodes[index];
+    node.nodes = static_cast<std::uint8_t>(children.nodes);
+    node.present = static_cast<std::uint8_t>((1U << children.count) - 1);
+    node.first_node = nodes_.fetch_add(children.nodes);
+    const std::uint32_t first_leaf = leaves_.fetch_add(children.count - children.nodes);
+    node.first_leaf = (first_leaf - children.nodes) | kBvh8Leaf;
+    set_boxes(node, binary_[root].box, children);
+    for (std::uint32_t i = children.nodes; i < children.count; ++i) fill_leaf(tree_.leaves[first_leaf + i - children.nodes], binary_[children.items[i]]);
+    std::vector<std::future<void>> others;
+    for (std::uint32_t i = 0; i < children.nodes; ++i) {
+      const std::uint32_t child = node.first_node + i, from = children.items[i];
+      // TODO
+      gather_node(child, from);
+    }
+  }
+
+  /// The root's children, of which the largest is replaced by its own again and again; nodes first.
+  Children children_of(std::uint32_t root) const {
+    Children children;
+    if (binary_[root].count > 0) {  // a mesh that is one leaf
+      children.items[0] = root;
+      children.count = 1;
+      return children;
+    }
+    children.items = {binary_[root].first, binary_[root].first + 1};
+    children.count = 2;
+    while (children.count < 8) {
+      float largest = -1;
+      std::uint32_t opened = 8;
+      for (std::uint32_t i = 0; i < children.count; ++i) {
+        const BinaryNode& child = binary_[children.items[i]];
+        if (child.count == 0 && child.box.half_area() > largest) {
+          largest = child.box.half_area();
+          opened = i;
+        }
+      }
+      if (opened == 8) break;
+      const std::uint32_t first = binary_[children.items[opened]].first;
+      children.items[opened] = first;
+      children.items[children.count++] = first + 1;
+    }
+    const auto leaves = std::stable_partition(children.items.begin(), children.items.begin() + children.count,
+                                              [&](std::uint32_t i) { return binary_[i].count == 0; });
+    children.nodes = static_cast<std::uint32_t>(leaves - children.items.begin());
+    return children;
+  }
+
+  void set_boxes(Bvh8Node& node, const FloatBox& all, const Children& children) const {
+    for (int a = 0; a < 3; ++a) {
+      const auto axis = static_cast<std::size_t>(a);
+      node.origin[axis] = all.low[a];
+      const double extent = static_cast<double>(all.high[a]) - static_cast<double>(all.low[a]);
+      // The smallest power of two of which 255 reach across; not so small that its products underflow.
+      int exponent = std::max(extent > 0 ? std::ilogb(extent / 255) : -126, -60);
+      if (std::ldexp(255.0, exponent) < extent) ++exponent;
+      node.step[axis] = std::ldexp(1.0F, exponent);
+      const double steps = std::ldexp(1.0, -exponent);
+      for (std::uint32_t i = 0; i < 8; ++i) {
+        const FloatBox& box = binary_[children.items[std::min(i, children.count - 1)]].box;
+        const auto from_origin = [&](float p) { return (static_cast<double>(p) - static_cast<double>(all.low[a])) * steps; };
+        node.steps[axis][0][i] = static_cast<std::uint8_t>(std::floor(from_origin(box.low[a])));
+        node.steps[axis][1][i] = static_cast<std::uint8_t>(std::ceil(from_origin(box.high[a])));
+      }
+    }
+  }
+
+  void fill_leaf(Bvh8Leaf& leaf, const BinaryNode& from) {
+    std::array<std::uint32_t, kLeafVertices> seen;
+    std::uint32_t vertices = 0;
+    leaf.first = from.first;
+    leaf.present = static_cast<std::uint8_t>((1U << from.count) - 1);
+    for (std::uint32_t slot = 0; slot < from.count; ++slot) {
+      const std::uint32_t triangle = boxes_[from.first + slot].triangle();
+      tree_.triangles[from.first + slot] = triangle;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t vertex = mesh_.triangles[triangle][corner];
+        std::uint32_t at = 0;
+        while (at < vertices && seen[at] != vertex) ++at;
+        if (at == vertices) {
+          seen[vertices++] = vertex;
+          const BoxSide p = vertices_[vertex];
+          for (int axis = 0; axis < 3; ++axis) leaf.vertices[static_cast<std::size_t>(axis)][at] = p[axis];
+        }
+        leaf.corner[corner][slot] = static_cast<std::uint8_t>(at);
+      }
+    }
+    // Lanes that nothing uses must not hold what slows arithmetic down.
+    for (auto& row : leaf.vertices) std::fill(row.begin() + vertices, row.end(), row[0]);
+  }
+
+  const TriangleMesh& mesh_;
+  const FrameVertices& vertices_;
+  std::span<const TriangleBox> boxes_;
+  std::span<const BinaryNode> binary_;
+  Bvh8Tree& tree_;
+  std::atomic<std::uint32_t> nodes_ = 1, leaves_ = 0;
+  std::atomic<int> helpers_;
+};
+
+}  // namespace
+
+Bvh8Tree build_bvh8(const TriangleMesh& mesh, const Bvh8Options& options) {
+  Bvh8Tree tree;
+  tree.frame = frame_of(mesh);
+  const FrameVertices vertices(mesh, tree.frame, options.threads);
+  set_filter_errors(tree.frame);
+  tree.exact_vertices = tree.frame.vertex_error == 0;
+  MappedArray<TriangleBox> boxes(mesh.triangles.size());
+  in_parts(mesh.triangles.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      FloatBox box;
+      for (const std::uint32_t vertex : mesh.triangles[i]) box.extend(vertices[vertex]);
+      boxes[i].box = box;
+      boxes[i].set_triangle(static_cast<std::uint32_t>(i));
+    }
+  });
+  // TODO non-finite
+  if (boxes.size() == 0) return tree;
+  std::span<TriangleBox> all(boxes.data(), boxes.size());
+  const MappedArray<BinaryNode> binary = build_binary_tree(mesh, all, options.threads);
+  Gatherer(mesh, vertices, all, {binary.data(), binary.size()}, tree, options.threads).gather();
+  return tree;
+}
+
+}  // namespace plumb

@@ -1,0 +1,176 @@
+#include "renderer/accel/filter_ray.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace plumb {
+namespace {
+
+constexpr double kU = 0x1p-24;  // the largest relative rounding of a float
+/// Rays from farther away than 4 reaches are moved near first, to within 1.1: no vertex is farther than this from an origin, on an axis, in reaches.
+constexpr double kFarthest = 5.001;
+
+/// The longest axis, by which of |x| > |y|, |x| > |z|, |y| > |z| hold, as bits from the lowest; and the two after it.
+constexpr std::array<std::array<std::uint8_t, 4>, 3> kAxes{{{1, 2, 0, 0}, {2, 0, 1, 0}, {0, 1, 2, 0}}};
+constexpr std::array<std::uint8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 2, 0};
+
+template <class Triple>
+double largest(const Triple& v) {
+  return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+
+/// The ends of a range, t >= 0, by at most three floats too wide; without a branch that the processor would have to guess.
+float wide_start(double t) { return static_cast<float>(t) * (1 - 0x1p-23F); }
+float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-126F; }
+
+/// A ray in the frame, in doubles, and the most that any of its coordinates is off.
+struct FrameRay {
+  Point3 origin;
+  Vec3 direction;
+  RayError error;
+  double t_min, t_max;
+};
+
+/// Moves the origin to where the ray comes near the mesh: the closer it is, the less its coordinates are rounded. Nothing is left where
+/// the ray passes by. `moved` is how far t was moved.
+bool move_near(FrameRay& ray, const FilterFrame& frame, double& moved) {
+  const double far = largest(ray.origin);
+  const double along = largest(ray.direction);
+  // Room for the rounding of the ends below (2^-50 of the way there) and for the ray's own error on that way.
+  const double side = 1.001 * frame.reach + 2 * frame.vertex_error + 2 * ray.error.origin +
+                      (far + frame.reach) * (0x1p-45 + 4 * ray.error.direction / along);
+  double near = ray.t_min, end = ray.t_max;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis], d = ray.direction[axis];
+    if (std::fabs(d) < 0x1p-40 * along) {  // hardly moves on this axis while it is near the others
+      if (std::fabs(o) > side + (far + side) * 0x1p-39) return false;
+      continue;
+    }
+    const double a = (-side - o) / d, b = (side - o) / d;
+    near = std::max(near, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  if (!(near <= end) || !std::isfinite(near)) return false;
+  ray.origin = ray.origin + near * ray.direction;
+  ray.error.origin += std::fabs(near) * ray.error.direction + 0x1p-50 * (far + largest(ray.origin));
+  ray.t_min -= near;
+  ray.t_max -= near;
+  moved = near;
+  return true;
+}
+
+}  // namespace
+
+float FilterRay::frame_t_max(double t) const {
+  const double moved = (t - t_start) * t_factor;
+  return wide_end(moved + 0x1p-50 * (std::fabs(t) + std::fabs(t_start)) * t_factor);
+}
+
+namespace {
+
+using Bits = std::int32_t __attribute__((vector_size(16)));
+constexpr Bits kSign{INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
+
+BoxSide all(float value) { return BoxSide{value, value, value, value}; }
+BoxSide size_of(BoxSide v) { return std::bit_cast<BoxSide>(std::bit_cast<Bits>(v) & ~kSign); }
+BoxSide with_signs(BoxSide size, BoxSide of) {
+  return std::bit_cast<BoxSide>(std::bit_cast<Bits>(size) | (std::bit_cast<Bits>(of) & kSign));
+}
+float largest(BoxSide v) { return std::max(v[0], std::max(v[1], v[2])); }
+
+/// The bounds of the filters, in the frame: `offset` is how far the float origin and the float vertices may be off, `slant` how far the
+/// direction, in units of its largest coordinate.
+void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, double slant, float& margin) {
+  // Of a vertex from the origin, on an axis.
+  const double reach = kFarthest * frame.reach;
+  const double moved = offset + frame.vertex_error;
+  const double sheared = 7.5 * kU * reach + 2.001 * moved + 2.1 * slant * reach;
+  const double weight = (sheared + 4 * kU * reach) * (1 + 0x1p-19);
+  filter.weight_error = static_cast<float>(weight);
+  filter.weight_error_constant = static_cast<float>(2.01 * weight * weight);
+  // Boxes: the errors of the ray and of a vertex, the direction's over the way to it, and 8u for the arithmetic.
+  margin = static_cast<float>(moved + slant * reach * 1.01 + 8.5 * kU * reach);
+}
+
+/// Everything but the range, of a ray that is near the mesh and of moderate length.
+void set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
+  const BoxSide o{static_cast<float>(ray.origin.x), static_cast<float>(ray.origin.y), static_cast<float>(ray.origin.z), 0};
+  const BoxSide d{static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y), static_cast<float>(ray.direction.z), 0};
+  const BoxSide sizes = size_of(d);
+  const float along = largest(sizes);
+  const auto off = [](const auto& exact, BoxSide rounded) {
+    return std::max(std::fabs(exact.x - static_cast<double>(rounded[0])),
+                    std::max(std::fabs(exact.y - static_cast<double>(rounded[1])), std::fabs(exact.z - static_cast<double>(rounded[2]))));
+  };
+  const double offset = ray.error.origin + off(ray.origin, o), slant = ray.error.direction + off(ray.direction, d);
+  float margin = frame.margin;
+  filter.weight_error = frame.weight_error;
+  filter.weight_error_constant = frame.weight_error_constant;
+  if (offset + slant > 0) set_errors(filter, frame, offset, slant / static_cast<double>(along), margin);
+
+  filter.reciprocal = 1 / with_signs(higher_of(sizes, all(0x1p-36F * along)), d);
+  filter.near_origin = o + with_signs(all(margin), d);
+  filter.far_origin = o - with_signs(all(margin), d);
+  const Bits rows = std::bit_cast<Bits>(d) >> 31 & 1;
+  for (int axis = 0; axis < 3; ++axis) filter.near_row[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(rows[axis]);
+
+  const std::size_t longest = kLongest[static_cast<std::size_t>(sizes[0] > sizes[1]) | static_cast<std::size_t>(sizes[0] > sizes[2]) << 1 |
+                                       static_cast<std::size_t>(sizes[1] > sizes[2]) << 2];
+  const auto [kx, ky, kz, unused] = kAxes[longest];
+  filter.axis = {kx, ky, kz};
+  filter.origin = {o[kx], o[ky], o[kz]};
+  filter.shear_x = d[kx] * filter.reciprocal[kz];
+  filter.shear_y = d[ky] * filter.reciprocal[kz];
+}
+
+/// A ray of any size, or from far away.
+FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
+  const double length = largest(ray.direction), distance = largest(ray.origin);
+  // NaN fails every comparison.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!(length > 0 && length < kInfinity && distance < kInfinity && ray.t_min <= ray.t_max) || std::isnan(dot(ray.direction, ray.direction)) || std::isnan(ray.origin.x + ray.origin.y + ray.origin.z))
+    return FilterRay::Fate::misses;
+  const double shorten = std::scalbn(1.0, -std::ilogb(length));
+  FrameRay moved{frame(ray.origin), shorten * ray.direction, {error.origin * frame.factor, error.direction * shorten}, 0, 0};
+  if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(moved.origin);
+  filter.t_factor = frame.factor / shorten;
+  moved.t_min = ray.t_min * filter.t_factor;
+  moved.t_max = ray.t_max * filter.t_factor;
+  double start = 0;
+  if (!move_near(moved, frame, start)) return FilterRay::Fate::misses;
+  filter.t_start = start / filter.t_factor;
+  set_lines(filter, moved, frame);
+  const double rounding = 0x1p-50 * std::fabs(start);
+  filter.t_min = wide_start(std::max(0.0, moved.t_min - rounding));
+  filter.t_max = wide_end(moved.t_max + rounding);
+  return FilterRay::Fate::walk;
+}
+
+}  // namespace
+
+void set_filter_errors(FilterFrame& frame) {
+  FilterRay none;
+  set_errors(none, frame, 0, 0, frame.margin);
+  frame.weight_error = none.weight_error;
+  frame.weight_error_constant = none.weight_error_constant;
+}
+
+FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
+  FrameRay moved{frame(ray.origin), ray.direction, {error.origin * frame.factor, error.direction}, ray.t_min, ray.t_max};
+  const double length = largest(ray.direction);
+  const bool is_near = std::fabs(moved.origin.x) <= 4 * frame.reach && std::fabs(moved.origin.y) <= 4 * frame.reach &&
+                       std::fabs(moved.origin.z) <= 4 * frame.reach;
+  // NaN fails a comparison, or makes the sum one.
+  if (!(is_near && length > 0x1p-30 && ray.direction.x + ray.direction.y + ray.direction.z < 0x1p30 && length < 0x1p30 && ray.t_min >= 0 && ray.t_min <= ray.t_max)) return make_from_afar(ray, error, frame, filter);
+  if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(moved.origin);
+  filter.t_factor = frame.factor;
+  filter.t_start = 0;
+  set_lines(filter, moved, frame);
+  filter.t_min = wide_start(ray.t_min * frame.factor);
+  filter.t_max = wide_end(ray.t_max * frame.factor);
+  return FilterRay::Fate::walk;
+}
+
+}  // namespace plumb

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "renderer/accel/bvh8_layout.h"
+#include "renderer/accel/float4.h"
+#include "renderer/math/ray.h"
+
+namespace plumb {
+
+/// How far the numbers of a ray may be from those that it stands for, on each axis.
+struct RayError {
+  double origin = 0, direction = 0;
+};
+
+/// A ray in floats and in a tree's frame, with what the filters must allow for: docs/certified-kernel.md derives the bounds.
+struct FilterRay {
+  /// The lanes are x, y, z and nothing. A plane at p is met at (p - near_origin) * reciprocal at the earliest, where it is the
+  /// near one, and at (p - far_origin) * reciprocal at the latest, where it is the far one, all errors included.
+  BoxSide near_origin, far_origin, reciprocal;
+  /// The direction's longest axis, and the two others.
+  std::array<std::uint8_t, 3> axis;  // kx, ky, kz
+  /// Per axis of space: which row of Bvh8Node::steps holds the near planes.
+  std::array<std::uint8_t, 3> near_row;
+  /// The origin by `axis`, and the shear.
+  std::array<float, 3> origin;
+  float shear_x, shear_y;
+  /// A weight is off by less than weight_error * (sum of the six |sheared coordinates|) + weight_error_constant.
+  float weight_error, weight_error_constant;
+  /// The range in the frame, rounded outward; t_min >= 0.
+  float t_min, t_max;
+  /// frame t = (t - t_start) * t_factor, for an end of the range.
+  double t_start, t_factor;
+
+  /// The smallest float of the frame's t that is not below the given one.
+  float frame_t_max(double t) const;
+
+  enum class Fate { walk, misses };
+};
+
+/// Fills in the bounds of a frame whose reach and vertex_error are known.
+void set_filter_errors(FilterFrame& frame);
+
+/// Fills `filter` for a ray in the mesh's coordinates; `misses` where the range is empty, the ray does not come near the mesh, or a number is
+/// not finite.
+FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter);
+
+}  // namespace plumb

@@ -1,0 +1,64 @@
+// The test of a ray against the eight boxes of a node; included once a target.
+#if defined(PLUMB_RENDERER_ACCEL_NODE_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef PLUMB_RENDERER_ACCEL_NODE_TEST_INL_H
+#undef PLUMB_RENDERER_ACCEL_NODE_TEST_INL_H
+#else
+#define PLUMB_RENDERER_ACCEL_NODE_TEST_INL_H
+#endif
+
+#include "renderer/accel/bvh8_layout.h"
+#include "renderer/accel/filter_ray.h"
+#include "renderer/accel/lanes8-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace plumb {
+namespace HWY_NAMESPACE {
+
+class NodeTest {
+ public:
+  HWY_INLINE explicit NodeTest(const FilterRay& ray)
+      : x_(ray, 0), y_(ray, 1), z_(ray, 2), t_min_(all8(ray.t_min)), t_max_(all8(ray.t_max)) {}
+
+  HWY_INLINE void set_t_max(float t_max) { t_max_ = all8(t_max); }
+
+  /// A bit for each child whose box the ray may meet, and where it does so at the earliest, eight numbers.
+  HWY_INLINE std::uint32_t operator()(const Bvh8Node& node, float* entered) const {
+    const Sides x = x_.sides(node, 0), y = y_.sides(node, 1), z = z_.sides(node, 2);
+    const Float8 near = high(high(x.near, y.near), high(z.near, t_min_));
+    const Float8 far = low(low(x.far, y.far), low(z.far, t_max_));
+    store8(near, entered);
+    return at_most(near, far) & node.present;
+  }
+
+ private:
+  struct Sides {
+    Float8 near, far;
+  };
+
+  class Axis {
+   public:
+    HWY_INLINE Axis(const FilterRay& ray, std::size_t axis)
+        : near_origin_(all8(ray.near_origin[axis])), far_origin_(all8(ray.far_origin[axis])),
+          reciprocal_(all8(-ray.reciprocal[axis])), near_row_(ray.near_row[axis]) {}
+    HWY_INLINE Sides sides(const Bvh8Node& node, std::size_t axis) const {
+      const Float8 origin = all8(node.origin[axis]);
+      const Float8 slope = all8(node.step[axis]) * reciprocal_;
+      const auto* rows = node.steps[axis].data();
+      return {(near_origin_ - origin) * reciprocal_ - from_bytes(rows[near_row_].data()) * slope,
+              (far_origin_ - origin) * reciprocal_ - from_bytes(rows[1 - near_row_].data()) * slope};
+    }
+
+   private:
+    Float8 near_origin_, far_origin_, reciprocal_;
+    std::size_t near_row_;
+  };
+
+  Axis x_, y_, z_;
+  Float8 t_min_, t_max_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace plumb
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -10,7 +10,7 @@
 #include "meshes/generators/icosphere.h"
 #include "renderer/accel/accelerator.h"
 #include "renderer/math/bounds3.h"
-#include "renderer/surfaces/triangle.h"
+#include "renderer/surfaces/closest_triangle.h"
 
 namespace plumb {
 namespace {
@@ -29,14 +29,14 @@ void closest_hit(benchmark::State& state, Accel accel) {
   std::size_t i = 0;
   for (auto _ : state) {
     Ray ray = grid_ray(i++);
-    const ShearedRay sheared(ray);
+    const PlacedRay placed(ray);
+    ClosestTriangle closest(placed, mesh, 1);
     accelerator.walk(ray, counters, [&](std::uint32_t triangle) {
-      const auto [a, b, c] = mesh.triangles[triangle];
-      if (const auto hit = intersect_triangle(sheared, mesh.positions[a], mesh.positions[b], mesh.positions[c]))
-        ray.t_max = hit->t;
+      closest.offer(triangle);
+      ray.t_max = closest.t_max();
       return false;
     });
-    benchmark::DoNotOptimize(ray.t_max);
+    benchmark::DoNotOptimize(closest.result());
   }
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
   state.counters["nodes/ray"] =

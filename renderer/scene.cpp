@@ -53,10 +53,51 @@ double origin_margin(const std::vector<PlacedSurface>& placed) {
   return 2 * largest * SlabTest::kMargin;
 }
 
-/// The ray in the surface's own frame; a surface outside of any group pays nothing for groups.
-Ray object_ray(const PlacedSurface& placed, const Ray& world) {
-  return placed.world_from_object.is_identity() ? world : placed.world_from_object.inverse_of(world);
-}
+/// Holds the nearest hit of several surfaces: by t, equal ones by the order of the surfaces. That of a triangle is the
+/// exact one, that of a solid the double that it reports. So the order is one of real numbers, in which nothing depends
+/// on what is found first.
+class ClosestSurface {
+ public:
+  ClosestSurface(const Ray& ray, const std::vector<PlacedSurface>& placed) : ray_(ray), placed_(placed) {}
+
+  /// What lies strictly beyond is not nearer.
+  double nearest() const { return found_ ? found_->hit.t + found_->hit.t_error : Bounds3::kInfinity; }
+
+  void offer(const Scene::Hit& hit) {
+    if (!found_ || is_nearer(hit, *found_)) found_ = hit;
+  }
+
+  const std::optional<Scene::Hit>& found() const { return found_; }
+
+ private:
+  bool is_nearer(const Scene::Hit& a, const Scene::Hit& b) const {
+    // Rounding is monotone, so what it leaves apart is apart.
+    if (a.hit.t + a.hit.t_error < b.hit.t - b.hit.t_error) return true;
+    if (a.hit.t - a.hit.t_error > b.hit.t + b.hit.t_error) return false;
+    const int order = exact_order(a, b);
+    return order < 0 || (order == 0 && a.placed < b.placed);
+  }
+
+  int exact_order(const Scene::Hit& a, const Scene::Hit& b) const {
+    const std::optional<ExactTriangle> exact_a = exact(a), exact_b = exact(b);
+    if (exact_a && exact_b) return exact_a->compare_t(*exact_b);
+    if (exact_a) return exact_a->compare_t(b.hit.t);
+    if (exact_b) return -exact_b->compare_t(a.hit.t);
+    return a.hit.t < b.hit.t ? -1 : a.hit.t > b.hit.t ? 1 : 0;
+  }
+
+  std::optional<ExactTriangle> exact(const Scene::Hit& hit) const {
+    const PlacedSurface& placed = placed_[hit.placed];
+    const std::optional<TriangleVertices> vertices = placed.surface->triangle(hit.hit.part);
+    if (!vertices) return std::nullopt;
+    const Transform& transform = placed.world_from_object;
+    return ExactTriangle(ray_, transform.is_identity() ? nullptr : &transform, *vertices);
+  }
+
+  const Ray& ray_;
+  const std::vector<PlacedSurface>& placed_;
+  std::optional<Scene::Hit> found_;
+};
 
 }  // namespace
 
@@ -65,32 +106,31 @@ Scene::Scene(SceneContents contents, Accel accel)
       accelerator_(accel, search_bounds(contents_.placed), origin_margin(contents_.placed)) {}
 
 std::optional<Scene::Hit> Scene::closest_hit(const Ray& ray, TraceCounters& counters) const {
-  std::optional<Hit> closest;
+  ClosestSurface closest(ray, contents_.placed);
   Ray rest = ray;
   accelerator_.walk(rest, counters, [&](std::uint32_t index) {
     ++counters.primitive_tests;
     const PlacedSurface& placed = contents_.placed[index];
-    const std::optional<SurfaceHit> hit = placed.surface->intersect(object_ray(placed, rest), counters);
-    if (hit && (!closest || hit->t < closest->hit.t || index < closest->placed)) {
-      closest = Hit{*hit, index};
-      rest.t_max = hit->t;
-    }
+    PlacedRay placed_ray(ray, placed.world_from_object);
+    placed_ray.nearest = closest.nearest();
+    if (const auto hit = placed.surface->intersect_placed(placed_ray, counters)) closest.offer({*hit, index});
+    rest.t_max = std::min(ray.t_max, closest.nearest());
     return false;
   });
-  return closest;
+  return closest.found();
 }
 
 bool Scene::blocks(const Ray& ray, TraceCounters& counters) const {
   return accelerator_.walk(ray, counters, [&](std::uint32_t index) {
     ++counters.primitive_tests;
     const PlacedSurface& placed = contents_.placed[index];
-    return placed.surface->blocks(object_ray(placed, ray), counters);
+    return placed.surface->blocks_placed(PlacedRay(ray, placed.world_from_object), counters);
   });
 }
 
 ShadingPoint Scene::shading_point(const Ray& ray, const Hit& hit) const {
   const PlacedSurface& placed = contents_.placed[hit.placed];
-  const Normal3 normal = placed.surface->normal(object_ray(placed, ray), hit.hit);
+  const Normal3 normal = placed.surface->normal(PlacedRay(ray, placed.world_from_object).object, hit.hit);
   return {ray.at(hit.hit.t),
           normalized(placed.world_from_object.is_identity() ? normal : placed.world_from_object(normal)),
           normalized(-ray.direction)};

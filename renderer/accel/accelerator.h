@@ -21,8 +21,8 @@ class Accelerator {
 
   /// As Hierarchy::walk; linear search visits every primitive whatever its box.
   template <class Visit>
-  bool walk(const Ray& ray, TraceCounters& counters, Visit&& visit) const {
-    if (accel_ == Accel::bvh2) return hierarchy_.walk(ray, counters, visit);
+  bool walk(const Ray& ray, TraceCounters& counters, Visit&& visit, double drift = 0) const {
+    if (accel_ == Accel::bvh2) return hierarchy_.walk(ray, counters, visit, drift);
     for (std::uint32_t i = 0; i < count_; ++i)
       if (visit(i)) return true;
     return false;

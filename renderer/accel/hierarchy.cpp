@@ -10,17 +10,21 @@ namespace {
 double largest_coordinate(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
 }  // namespace
 
-SlabTest::SlabTest(const Ray& ray, double margin)
+SlabTest::SlabTest(const Ray& ray, double margin, double drift)
     : reciprocal{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z},
       negative{std::signbit(ray.direction.x), std::signbit(ray.direction.y), std::signbit(ray.direction.z)} {
-  const double wider = margin * largest_coordinate(ray.origin);
+  const double wider = margin * largest_coordinate(ray.origin) + drift;
   origin_above = ray.origin + Vec3{wider, wider, wider};
   origin_below = ray.origin + Vec3{-wider, -wider, -wider};
 }
 
+double largest_coordinate(const Bounds3& box) {
+  return std::max(largest_coordinate(box.min), largest_coordinate(box.max));
+}
+
 Bounds3 widened(const Bounds3& box, double margin) {
   if (box.empty()) return box;
-  const double wider = margin * std::max(largest_coordinate(box.min), largest_coordinate(box.max));
+  const double wider = margin * largest_coordinate(box);
   return {box.min + Vec3{-wider, -wider, -wider}, box.max + Vec3{wider, wider, wider}};
 }
 

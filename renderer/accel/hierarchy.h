@@ -14,7 +14,8 @@ namespace plumb {
 
 /// The reciprocal of a ray's direction, and the slab test with it.
 struct SlabTest {
-  explicit SlabTest(const Ray& ray, double margin = kMargin);
+  /// The box is wider by `margin` times the origin's largest coordinate, and by `drift`.
+  explicit SlabTest(const Ray& ray, double margin = kMargin, double drift = 0);
 
   /// Whether the ray, within [t_min, t_max], may pass through the closed box. Never wrongly false: the box is widened
   /// by `margin` times the origin's largest coordinate, so that the rounding of a primitive's own test, which grows
@@ -47,6 +48,9 @@ struct SlabTest {
   std::array<bool, 3> negative;
 };
 
+/// The largest magnitude of a coordinate of the box, which is not empty.
+double largest_coordinate(const Bounds3& box);
+
 /// The box, larger on every axis by `margin` times its largest coordinate; empty for an empty one.
 Bounds3 widened(const Bounds3& box, double margin);
 
@@ -61,11 +65,12 @@ class Hierarchy {
 
   /// Calls visit(primitive) for each primitive whose box the ray may pass through, roughly near to far. `visit`
   /// may lower ray.t_max, which prunes what lies strictly beyond it, and stops the walk by returning true;
-  /// then so does this.
+  /// then so does this. `drift` is how far the ray may pass from the one that is meant, anywhere near the primitives
+  /// (PlacedRay::drift).
   template <class Visit>
-  bool walk(const Ray& ray, TraceCounters& counters, Visit&& visit) const {
+  bool walk(const Ray& ray, TraceCounters& counters, Visit&& visit, double drift = 0) const {
     if (nodes_.empty()) return false;
-    const SlabTest slab(ray, origin_margin_);
+    const SlabTest slab(ray, origin_margin_, drift);
     std::array<std::uint32_t, kDeepest + 1> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;

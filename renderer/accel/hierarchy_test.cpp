@@ -7,7 +7,7 @@
 #include <random>
 
 #include "renderer/scene_for_tests.h"
-#include "renderer/surfaces/triangle.h"
+#include "renderer/surfaces/closest_triangle.h"
 
 namespace plumb {
 namespace {
@@ -23,28 +23,36 @@ struct Soup {
       for (const Point3& p : triangles[i]) all[i].extend(p);
     return all;
   }
+
+  TriangleMesh mesh() const {
+    TriangleMesh result;
+    for (const auto& triangle : triangles) {
+      const auto first = static_cast<std::uint32_t>(result.positions.size());
+      result.positions.insert(result.positions.end(), triangle.begin(), triangle.end());
+      result.triangles.push_back({first, first + 1, first + 2});
+    }
+    return result;
+  }
 };
 
-struct Found {
-  std::uint32_t index = ~0U;
-  TriangleHit hit{};
-};
-
-/// The closest hit, of equal ones that of the lowest index, as Mesh looks for it.
-Found closest(const Soup& soup, const Accelerator& accelerator, const Ray& ray) {
-  Found found;
+/// The closest hit, as Mesh looks for it.
+std::optional<SurfaceHit> closest(const TriangleMesh& mesh, double largest, const Accelerator& accelerator,
+                                  const Ray& ray) {
+  const PlacedRay placed(ray);
+  ClosestTriangle found(placed, mesh, largest);
   Ray rest = ray;
   TraceCounters counters;
   accelerator.walk(rest, counters, [&](std::uint32_t i) {
-    const auto& [a, b, c] = soup.triangles[i];
-    const auto hit = intersect_triangle(ShearedRay(rest), a, b, c);
-    if (hit && (found.index == ~0U || hit->t < found.hit.t || i < found.index)) {
-      found = {i, *hit};
-      rest.t_max = hit->t;
-    }
+    found.offer(i);
+    rest.t_max = found.t_max();
     return false;
   });
-  return found;
+  return found.result();
+}
+
+bool same_hit(const std::optional<SurfaceHit>& a, const std::optional<SurfaceHit>& b) {
+  if (!a || !b) return !a && !b;
+  return a->part == b->part && same_bits(a->t, b->t) && same_bits(a->u, b->u) && same_bits(a->v, b->v);
 }
 
 struct Agreement {
@@ -53,21 +61,22 @@ struct Agreement {
 
 Agreement compare(const Soup& soup, const std::vector<Ray>& rays) {
   const std::vector<Bounds3> bounds = soup.bounds();
+  const TriangleMesh mesh = soup.mesh();
+  double largest = 0;
+  for (const Bounds3& box : bounds) largest = std::max(largest, largest_coordinate(box));
   const Accelerator linear(Accel::linear, bounds);
   const Accelerator bvh2(Accel::bvh2, bounds);
   Agreement agreement;
   for (const Ray& ray : rays) {
-    const Found a = closest(soup, linear, ray);
-    const Found b = closest(soup, bvh2, ray);
-    ++(a.index == ~0U ? agreement.misses : agreement.hits);
-    const bool same =
-        a.index == b.index && same_bits(a.hit.t, b.hit.t) && same_bits(a.hit.u, b.hit.u) && same_bits(a.hit.v, b.hit.v);
-    if (same) continue;
+    const auto a = closest(mesh, largest, linear, ray);
+    const auto b = closest(mesh, largest, bvh2, ray);
+    ++(a ? agreement.hits : agreement.misses);
+    if (same_hit(a, b)) continue;
     if (++agreement.different == 1) {
       ADD_FAILURE() << std::hexfloat << "first differing ray: origin " << ray.origin.x << " " << ray.origin.y << " "
                     << ray.origin.z << " direction " << ray.direction.x << " " << ray.direction.y << " "
-                    << ray.direction.z << ", linear " << a.index << " at " << a.hit.t << ", hierarchy " << b.index
-                    << " at " << b.hit.t;
+                    << ray.direction.z << ", linear " << (a ? a->part : ~0U) << " at " << (a ? a->t : 0)
+                    << ", hierarchy " << (b ? b->part : ~0U) << " at " << (b ? b->t : 0);
     }
   }
   EXPECT_EQ(agreement.different, 0);

@@ -10,8 +10,9 @@
 #include "renderer/accel/accelerator.h"
 #include "renderer/integrator/trace_counters.h"
 #include "renderer/math/bounds3.h"
+#include "renderer/math/placed_ray.h"
 #include "renderer/math/ray.h"
-#include "renderer/math/transform.h"
+#include "renderer/surfaces/exact_triangle.h"
 #include "scenes/load_meshes.h"
 #include "scenes/object_description.h"
 
@@ -24,6 +25,9 @@ struct SurfaceHit {
   double u = 0, v = 0;
   /// The triangle of a mesh, the face or side of a solid.
   std::uint32_t part = 0;
+  /// Of a triangle: how far the exact t, which decides what is closest, may be from t. Other surfaces have no other t
+  /// than that one.
+  double t_error = 0;
 };
 
 /// A shape in its own frame (object space). Const and safe to use from any number of threads.
@@ -38,6 +42,16 @@ class Surface {
   /// Whether anything of the surface lies in the ray's range.
   virtual bool blocks(const Ray& ray, TraceCounters& counters) const { return intersect(ray, counters).has_value(); }
 
+  /// The same for a surface that has been placed, by a ray of the world. Solids take the rounded ray as it is, and what
+  /// lies beyond `nearest` as out of range. Meshes decide for the world's ray.
+  virtual std::optional<SurfaceHit> intersect_placed(const PlacedRay& ray, TraceCounters& counters) const;
+  virtual bool blocks_placed(const PlacedRay& ray, TraceCounters& counters) const {
+    return blocks(ray.object, counters);
+  }
+
+  /// The corners of a part that is a flat triangle, which is hit as an exact one; nothing of other surfaces.
+  virtual std::optional<TriangleVertices> triangle(std::uint32_t) const { return std::nullopt; }
+
   /// The outward normal at a hit of this ray on this surface; of any length.
   virtual Normal3 normal(const Ray& ray, const SurfaceHit& hit) const = 0;
 
@@ -47,6 +61,12 @@ class Surface {
   /// The same in world space, of the surface mapped by the transform's matrix without rounding.
   virtual Bounds3 world_bounds(const Transform& world_from_object) const = 0;
 };
+
+inline std::optional<SurfaceHit> Surface::intersect_placed(const PlacedRay& ray, TraceCounters& counters) const {
+  Ray rest = ray.object;
+  if (ray.nearest < rest.t_max) rest.t_max = ray.nearest;
+  return intersect(rest, counters);
+}
 
 /// What the making of a surface needs beside its own description.
 struct SurfaceContext {

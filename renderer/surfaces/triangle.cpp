@@ -5,24 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/math/exact_sum.h"
-
 namespace plumb {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
-
-struct PlanePoint {
-  double x, y;
-};
-
-double cross(const PlanePoint& p, const PlanePoint& q) { return p.x * q.y - p.y * q.x; }
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
-PlanePoint seen_along(const ShearedRay& s, const Vec3& v) {
-  return {v[s.kx] - s.shear_x * v[s.kz], v[s.ky] - s.shear_y * v[s.kz]};
-}
 
 /// By which side of each edge the ray passes.
 enum class Side { misses, hits, unsure };
@@ -54,104 +43,119 @@ std::array<long double, 3> wide_weights(const Ray& ray, const Point3& a, const P
           triple(ray.direction, wide_difference(b, ray.origin), wide_difference(a, b))};
 }
 
-using ExactVector = std::array<ExactSum, 3>;
+/// Of a t that is rounded once.
+double rounding_error(double t) { return 0x1p-51 * std::fabs(t) + 0x1p-1070; }
 
-ExactVector exact_difference(const Point3& a, const Point3& b) {
-  return {ExactSum(a.x) - b.x, ExactSum(a.y) - b.y, ExactSum(a.z) - b.z};
+std::optional<TriangleMeeting> if_finite(const TriangleMeeting& meeting) {
+  if (!std::isfinite(meeting.t)) return std::nullopt;
+  return meeting;
 }
 
-ExactVector cross(const ExactVector& p, const ExactVector& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-ExactSum dot(const ExactVector& p, const ExactVector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-
-/// The hit without rounding, up to its numbers at the end: the weights are triple products with the direction, which
-/// are those of the sheared points times direction[kz].
-std::optional<TriangleHit> exactly_intersect(const Ray& ray, const Point3& a, const Point3& b, const Point3& c) {
-  const ExactVector to_a = exact_difference(a, ray.origin);
-  const ExactVector to_b = exact_difference(b, ray.origin);
-  const ExactVector to_c = exact_difference(c, ray.origin);
-  const ExactVector direction{ray.direction.x, ray.direction.y, ray.direction.z};
-  const ExactVector c_cross_b = cross(to_c, to_b);
-  const ExactSum weights[] = {dot(direction, c_cross_b), dot(direction, cross(to_a, to_c)),
-                              dot(direction, cross(to_b, to_a))};
-  const auto [low, high] = std::minmax({weights[0].sign(), weights[1].sign(), weights[2].sign()});
-  if (low == -high) return std::nullopt;  // on different sides, or all zero
-  const long double sum = (weights[0] + weights[1] + weights[2]).rounded();
-  const TriangleHit hit{static_cast<double>(dot(to_a, c_cross_b).rounded() / sum),
-                        static_cast<double>(weights[1].rounded() / sum),
-                        static_cast<double>(weights[2].rounded() / sum)};
-  if (!ray.contains(hit.t) || !std::isfinite(hit.t)) return std::nullopt;
-  return hit;
+/// Without rounding, in world space, up to the numbers at the end.
+std::optional<TriangleMeeting> exactly_meet(const ShearedRay& sheared, const Point3& a, const Point3& b,
+                                            const Point3& c) {
+  const Ray& ray = sheared.world;
+  if (!is_finite(ray.origin) || !is_finite(ray.direction) || !is_finite(a) || !is_finite(b) || !is_finite(c))
+    return std::nullopt;
+  const ExactTriangle exact(ray, sheared.world_from_object, {a, b, c});
+  if (!exact.is_met()) return std::nullopt;
+  const double t = exact.t();
+  return if_finite({t, rounding_error(t), exact.weight_b(), exact.weight_c(), 1});
 }
 
 /// Outside of these a product of three or four coordinates could leave the range of doubles, or be rounded below it.
 bool is_ordinary(double size) { return size >= 0x1p-200 && size <= 0x1p200; }
 
 /// The same in units in which the largest distance and the direction's largest coordinate lie in [1, 2). Powers of two
-/// move numbers exactly.
-std::optional<TriangleHit> intersect_in_its_own_units(const Ray& ray, double distance, const Point3& a, const Point3& b,
-                                                      const Point3& c) {
+/// move numbers exactly, unless they fall below the smallest.
+std::optional<TriangleMeeting> meet_in_its_own_units(const ShearedRay& sheared, double distance, const Point3& a,
+                                                     const Point3& b, const Point3& c) {
+  const Ray& ray = sheared.ray;
   const double along = largest(ray.direction);
+  if (sheared.world_from_object) return exactly_meet(sheared, a, b, c);
   if (!(distance > 0 && along > 0 && std::isfinite(distance) && std::isfinite(along))) return std::nullopt;
   const int points = -std::ilogb(distance), directions = -std::ilogb(along);
-  const auto scaled = [](auto v, int exponent) {
-    for (int axis = 0; axis < 3; ++axis) v[axis] = std::scalbn(v[axis], exponent);
-    return v;
+  bool exact = true;
+  const auto scaled = [&](const auto& v, int exponent) {
+    auto result = v;
+    for (int axis = 0; axis < 3; ++axis) {
+      result[axis] = std::scalbn(v[axis], exponent);
+      exact = exact && std::scalbn(result[axis], -exponent) == v[axis];
+    }
+    return result;
   };
-  const Ray unit{scaled(ray.origin, points), scaled(ray.direction, directions),
-                 -std::numeric_limits<double>::infinity()};
-  auto hit = intersect_triangle(ShearedRay(unit), scaled(a, points), scaled(b, points), scaled(c, points));
-  if (!hit) return std::nullopt;
-  hit->t = std::scalbn(hit->t, directions - points);
-  if (!ray.contains(hit->t) || !std::isfinite(hit->t)) return std::nullopt;
-  return hit;
+  const Ray unit{scaled(ray.origin, points), scaled(ray.direction, directions), -kInfinity};
+  const Point3 unit_a = scaled(a, points), unit_b = scaled(b, points), unit_c = scaled(c, points);
+  if (!exact) return exactly_meet(sheared, a, b, c);
+  const ShearedRay unit_ray(unit);
+  auto meeting = meet(unit_ray, ShearedTriangle(unit_ray, unit_a, unit_b, unit_c), unit_a, unit_b, unit_c);
+  if (!meeting) return std::nullopt;
+  meeting->t = std::scalbn(meeting->t, directions - points);
+  meeting->t_error = std::scalbn(meeting->t_error, directions - points) + 0x1p-1070;
+  return if_finite(*meeting);
 }
 
 }  // namespace
 
-ShearedRay::ShearedRay(const Ray& of) : ray(of) {
-  const Vec3 size{std::fabs(of.direction.x), std::fabs(of.direction.y), std::fabs(of.direction.z)};
+ShearedRay::ShearedRay(const Ray& of) : ray(of), world(of) { find_axes(); }
+
+ShearedRay::ShearedRay(const PlacedRay& placed)
+    : ray(placed.object),
+      world(*placed.world),
+      world_from_object(placed.world_from_object),
+      origin_error(placed.origin_error),
+      direction_error(placed.direction_error) {
+  find_axes();
+  if (!world_from_object) return;
+  // The shear is a quotient of at most 1, so it moves by less than 2 e / (|d_z| - e), with e the direction's error.
+  const double along = std::fabs(ray.direction[kz]);
+  drift = 2.5 * origin_error;
+  drift_growth = direction_error <= 0x1p-12 * along ? 2.5 * direction_error / along : kInfinity;
+}
+
+void ShearedRay::find_axes() {
+  const Vec3& d = ray.direction;
+  const Vec3 size{std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)};
   kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   kx = (kz + 1) % 3;
   ky = (kz + 2) % 3;
-  shear_x = of.direction[kx] / of.direction[kz];
-  shear_y = of.direction[ky] / of.direction[kz];
+  shear_x = d[kx] / d[kz];
+  shear_y = d[ky] / d[kz];
+  origin_x = ray.origin[kx];
+  origin_y = ray.origin[ky];
+  origin_z = ray.origin[kz];
 }
 
-std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
-                                              const Point3& c) {
+std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Point3& a,
+                                    const Point3& b, const Point3& c) {
   const Ray& ray = sheared.ray;
-  const Vec3 to_a = a - ray.origin;
-  const Vec3 to_b = b - ray.origin;
-  const Vec3 to_c = c - ray.origin;
-  const double m = std::max({largest(to_a), largest(to_b), largest(to_c)});
-  if (!is_ordinary(m) || !is_ordinary(largest(ray.direction))) [[unlikely]]
-    return intersect_in_its_own_units(ray, m, a, b, c);
-  const PlanePoint pa = seen_along(sheared, to_a);
-  const PlanePoint pb = seen_along(sheared, to_b);
-  const PlanePoint pc = seen_along(sheared, to_c);
-  std::array<double, 3> weights{cross(pc, pb), cross(pa, pc), cross(pb, pa)};
-
-  // With m the largest coordinate from the origin, a sheared one is off by 6u m: u m by its difference, 3u m by that of
-  // z, the shear and their product, 2u m by the sum of both, as |shear| <= 1. So a weight is off by 6u m times its four
-  // coordinates, 4u m times them for its own roundings, and 72 (u m)^2.
+  const double m = triangle.largest();
+  if (!is_ordinary(m) || !is_ordinary(std::fabs(ray.direction[sheared.kz]))) [[unlikely]]
+    return meet_in_its_own_units(sheared, m, a, b, c);
+  const auto& [pa, pb, pc] = triangle.plane;
+  std::array<double, 3> weights = triangle.weights;
   const double reach =
       std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pb.x) + std::fabs(pb.y) + std::fabs(pc.x) + std::fabs(pc.y);
-  const double error = 0x1p-49 * m * (reach + 0x1p-48 * m);
-  if (!(error <= kLargest)) return std::nullopt;  // NaN
+  const double error = weight_error(sheared, m, reach);
+  const bool is_placed = sheared.world_from_object != nullptr;
+  if (!(error <= kLargest)) {  // NaN, or a direction without digits
+    if (is_placed) return exactly_meet(sheared, a, b, c);
+    return std::nullopt;
+  }
   Side side = side_of(weights, error);
   if (side == Side::unsure) {
+    // The errors of a placed ray are those of doubles at least.
+    if (is_placed) return exactly_meet(sheared, a, b, c);
     // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
     const double edge = std::max({largest(b - a), largest(c - b), largest(a - c)});
     const auto wide = wide_weights(ray, a, b, c);
-    side = side_of(wide, 0x1p-58L * largest(ray.direction) * m * edge);
+    side = side_of(wide, 0x1p-58L * std::fabs(ray.direction[sheared.kz]) * m * edge);
     for (std::size_t i = 0; i < 3; ++i) weights[i] = static_cast<double>(wide[i]);
   }
   if (side == Side::misses) return std::nullopt;
-  if (side == Side::unsure) return exactly_intersect(ray, a, b, c);
+  if (side == Side::unsure) return exactly_meet(sheared, a, b, c);
 
+  const Vec3 to_a = a - ray.origin;
   const Vec3 edge_b = b - a;
   const Vec3 edge_c = c - a;
   const Vec3 normal = cross(edge_b, edge_c);
@@ -160,16 +164,35 @@ std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const P
   // The normal is off by 8u of the edges' product. Where the plane is steep, the hit is then within some 2^-42 of the
   // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
   const double size = largest(edge_b) * largest(edge_c);
-  const bool is_steep = std::fabs(facing) > 0x1p-6 * size * largest(ray.direction);
-  const double distance_error = 0x1p-47 * size * largest(to_a);
+  const double along = std::fabs(ray.direction[sheared.kz]);
+  const bool is_steep = std::fabs(facing) > 0x1p-6 * size * along;
+  const double distance_error = 0x1p-47 * size * largest(to_a) + 8 * size * sheared.origin_error;
   const bool starts_on_it =
       std::fabs(distance) < distance_error && !(std::fabs(distance) + distance_error < ray.t_min * std::fabs(facing));
-  if (!is_steep || starts_on_it) return exactly_intersect(ray, a, b, c);
+  if (!is_steep || starts_on_it) return exactly_meet(sheared, a, b, c);
 
   const double t = distance / facing;
-  if (!ray.contains(t) || !std::isfinite(t)) return std::nullopt;
-  const double sum = weights[0] + weights[1] + weights[2];
-  return TriangleHit{t, weights[1] / sum, weights[2] / sum};
+  const double facing_error = 0x1p-47 * size * along + 8 * size * sheared.direction_error;
+  const double t_error = (distance_error + std::fabs(t) * facing_error) * (1 / std::fabs(facing));
+  return if_finite({t, t_error, weights[1], weights[2], weights[0] + weights[1] + weights[2]});
+}
+
+std::optional<double> exact_t_in_range(const ShearedRay& sheared, const TriangleMeeting& meeting, const Point3& a,
+                                       const Point3& b, const Point3& c) {
+  const Ray& ray = sheared.ray;
+  if (!(ray.t_min <= ray.t_max)) return std::nullopt;  // NaN too
+  const ExactTriangle exact(sheared.world, sheared.world_from_object, {a, b, c});
+  if (exact.compare_t(ray.t_min) < 0 || exact.compare_t(ray.t_max) > 0) return std::nullopt;
+  return std::clamp(meeting.t, ray.t_min, ray.t_max);
+}
+
+std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
+                                              const Point3& c) {
+  const auto meeting = meet(sheared, ShearedTriangle(sheared, a, b, c), a, b, c);
+  if (!meeting) return std::nullopt;
+  const auto t = t_in_range(sheared, *meeting, a, b, c);
+  if (!t) return std::nullopt;
+  return meeting->hit(*t);
 }
 
 std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {

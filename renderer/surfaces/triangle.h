@@ -1,23 +1,42 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <optional>
 #include <vector>
 
 #include "meshes/triangle_mesh.h"
 #include "renderer/math/bounds3.h"
-#include "renderer/math/ray.h"
+#include "renderer/math/placed_ray.h"
+#include "renderer/surfaces/exact_triangle.h"
 
 namespace plumb {
 
 /// A ray with the shear that takes its direction to an axis: what does not depend on the triangle. It refers to the
-/// ray, whose range may shrink meanwhile.
+/// ray, whose range may shrink meanwhile where it is in world space.
 struct ShearedRay {
   explicit ShearedRay(const Ray& ray);
+  explicit ShearedRay(const PlacedRay& placed);
 
   const Ray& ray;
+  /// The exact ray, in world space, and the triangle's way there: as in PlacedRay.
+  const Ray& world;
+  const Transform* world_from_object = nullptr;
+  double origin_error = 0, direction_error = 0;
   /// The axis along which the direction is longest, and the other two.
   int kx, ky, kz;
   double shear_x, shear_y;
+  /// The origin's coordinates along these axes.
+  double origin_x, origin_y, origin_z;
+  /// A sheared coordinate of a vertex is off by this and by `drift_growth` of the vertex' distance, for the errors of
+  /// the ray; zero in world space.
+  double drift = 0, drift_growth = 0;
+
+ private:
+  void find_axes();
 };
 
 /// A hit on one triangle: u and v are the weights of b and c.
@@ -25,17 +44,105 @@ struct TriangleHit {
   double t, u, v;
 };
 
+/// Where a ray's line meets a triangle, whatever the range.
+struct TriangleMeeting {
+  double t;
+  /// The exact t is not further from t than this.
+  double t_error;
+  /// The weights of b and c, each times `sum`.
+  double weight_b, weight_c, sum;
+
+  TriangleHit hit(double in_range) const { return {in_range, weight_b / sum, weight_c / sum}; }
+};
+
 /// Both sides count; edges and vertices belong to the triangle. A ray in the triangle's plane and a triangle without
 /// area are missed, and so is every triangle by a ray with NaN.
 ///
-/// The class is that of the ray and the triangle as given, so no ray slips between neighbours, at a vertex neither.
-/// Seen along the ray, each vertex is a point of a plane [Woop 2013]; on which side of an edge the ray passes is
-/// decided there, where the error bound allows, and else without rounding. t is taken from the triangle's own plane,
-/// with its edges as differences, which is more accurate than the same products; without rounding where the ray grazes
-/// that plane, or the triangle is a needle, or the ray starts in it. The exact part wants every number to be zero or
-/// within [2^-250, 2^250].
+/// The class is that of the ray and the triangle as given (in world space, placed by the exact matrix), and so is
+/// whether t lies in the ray's closed range: no ray slips between neighbours, at a vertex neither. The reported t is
+/// rounded; see TriangleMeeting. Bounds, ranges and sources: docs/certified-kernel.md.
 std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                               const Point3& c);
+
+/// A triangle seen along the ray: each vertex is a point of a plane [Woop 2013]. On which side of an edge the ray
+/// passes is decided there, where the error bound allows.
+struct ShearedTriangle {
+  struct PlanePoint {
+    double x, y;
+  };
+
+  ShearedTriangle(const ShearedRay& ray, const Point3& a, const Point3& b, const Point3& c)
+      : from_origin{difference(ray, a), difference(ray, b), difference(ray, c)} {
+    for (std::size_t i = 0; i < 3; ++i)
+      plane[i] = {from_origin[i][0] - ray.shear_x * from_origin[i][2],
+                  from_origin[i][1] - ray.shear_y * from_origin[i][2]};
+    weights = {cross(plane[2], plane[1]), cross(plane[0], plane[2]), cross(plane[1], plane[0])};
+  }
+
+  /// Whether weights of different signs are both beyond `error`.
+  bool is_missed(double error) const {
+    const double low = std::min(std::min(weights[0], weights[1]), weights[2]);
+    const double high = std::max(std::max(weights[0], weights[1]), weights[2]);
+    return (low < -error) & (high > error);
+  }
+
+  /// The largest coordinate of a vertex from the origin.
+  double largest() const {
+    const auto of = [this](std::size_t i) {
+      const auto& v = from_origin[i];
+      return std::max(std::max(std::fabs(v[0]), std::fabs(v[1])), std::fabs(v[2]));
+    };
+    return std::max(std::max(of(0), of(1)), of(2));
+  }
+
+  /// The vertices from the ray's origin, in the order of its axes kx, ky, kz.
+  std::array<std::array<double, 3>, 3> from_origin;
+  std::array<PlanePoint, 3> plane;
+  std::array<double, 3> weights;
+
+ private:
+  static double cross(const PlanePoint& p, const PlanePoint& q) { return p.x * q.y - p.y * q.x; }
+
+  /// p[axis], read from its place in memory: no comparisons of the axis.
+  static double coordinate(const Point3& p, int axis) {
+    static_assert(sizeof(Point3) == 3 * sizeof(double));
+    double value;
+    std::memcpy(&value, reinterpret_cast<const std::byte*>(&p) + sizeof(double) * static_cast<std::size_t>(axis),
+                sizeof value);
+    return value;
+  }
+
+  static std::array<double, 3> difference(const ShearedRay& ray, const Point3& p) {
+    return {coordinate(p, ray.kx) - ray.origin_x, coordinate(p, ray.ky) - ray.origin_y,
+            coordinate(p, ray.kz) - ray.origin_z};
+  }
+};
+
+/// The error of the weights where no vertex is further than `m` on an axis, and the six coordinates of the plane's
+/// points sum up to `reach`. Derived in docs/certified-kernel.md.
+inline double weight_error(const ShearedRay& ray, double m, double reach) {
+  const double each = 0x1p-49 * m + (ray.drift + ray.drift_growth * m);
+  return each * (reach + 2 * each);
+}
+
+/// The meeting of the ray's line with the triangle that was sheared from a, b, c, exactly decided.
+std::optional<TriangleMeeting> meet(const ShearedRay& ray, const ShearedTriangle& sheared, const Point3& a,
+                                    const Point3& b, const Point3& c);
+
+/// As t_in_range, where the rounded t is too near to a bound to tell.
+std::optional<double> exact_t_in_range(const ShearedRay& ray, const TriangleMeeting& meeting, const Point3& a,
+                                       const Point3& b, const Point3& c);
+
+/// The t to report of a meeting whose exact t lies in the ray's closed range: nothing if it does not. Where the rounded
+/// t lies outside, the bound.
+inline std::optional<double> t_in_range(const ShearedRay& sheared, const TriangleMeeting& meeting, const Point3& a,
+                                        const Point3& b, const Point3& c) {
+  const Ray& ray = sheared.ray;
+  const double low = meeting.t - meeting.t_error, high = meeting.t + meeting.t_error;
+  if (low > ray.t_min && high < ray.t_max) return meeting.t;  // rounding is monotone, so these hold without it
+  if (high < ray.t_min || low > ray.t_max) return std::nullopt;
+  return exact_t_in_range(sheared, meeting, a, b, c);
+}
 
 /// The box of each triangle of a mesh, in its order.
 std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh);

@@ -208,7 +208,8 @@ struct ProbeAnswers::Loaded {
     hit ? append_hit(text, ray, *hit) : void(text += "null");
   }
 
-  /// Surface by surface, the next hit beyond each. Hits of one surface at the same t count once.
+  /// Surface by surface, the next hit beyond each. Hits of one surface at the same t count once, and so do
+  /// those of a mesh that its rounded t does not tell apart.
   void append_all(std::string& text, const json& query) const {
     const Ray ray = ray_of(query);
     TraceCounters counters;
@@ -216,12 +217,13 @@ struct ProbeAnswers::Loaded {
     text += '[';
     for (std::uint32_t i = 0; i < scene.placed().size(); ++i) {
       const PlacedSurface& placed = scene.placed()[i];
-      Ray rest = placed.world_from_object.is_identity() ? ray : placed.world_from_object.inverse_of(ray);
-      while (const std::optional<SurfaceHit> hit = placed.surface->intersect(rest, counters)) {
+      Ray rest = ray;
+      while (const auto hit = placed.surface->intersect_placed(PlacedRay(rest, placed.world_from_object), counters)) {
         text += comma;
         append_hit(text, ray, {*hit, i});
         comma = ",";
-        rest.t_min = std::nextafter(hit->t, std::numeric_limits<double>::infinity());
+        // The exact t of a triangle is not beyond its error.
+        rest.t_min = std::nextafter(hit->t + hit->t_error, std::numeric_limits<double>::infinity());
       }
     }
     text += ']';

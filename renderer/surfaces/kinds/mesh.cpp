@@ -3,8 +3,7 @@
 
 #include "meshes/triangle_mesh.h"
 #include "renderer/math/support.h"
-#include "renderer/surfaces/surface.h"
-#include "renderer/surfaces/triangle.h"
+#include "renderer/surfaces/closest_triangle.h"
 
 namespace plumb {
 namespace {
@@ -12,27 +11,44 @@ namespace {
 class Mesh : public Surface {
  public:
   Mesh(std::shared_ptr<const TriangleMesh> mesh, Accel accel)
-      : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)), runs_(bounds_of_runs(*mesh_)) {}
+      : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)), runs_(bounds_of_runs(*mesh_)) {
+    for (const Bounds3& run : runs_) largest_coordinate_ = std::max(largest_coordinate_, largest_coordinate(run));
+  }
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters& counters) const override {
-    std::optional<SurfaceHit> closest;
-    Ray rest = ray;
-    const ShearedRay sheared(rest);
-    accelerator_.walk(rest, counters, [&](std::uint32_t triangle) {
-      const std::optional<TriangleHit> hit = test(sheared, triangle, counters);
-      if (hit && (!closest || hit->t < closest->t || triangle < closest->part)) {
-        closest = SurfaceHit{hit->t, hit->u, hit->v, triangle};
-        rest.t_max = hit->t;
-      }
-      return false;
-    });
-    return closest;
+    return intersect_placed(PlacedRay(ray), counters);
   }
 
   bool blocks(const Ray& ray, TraceCounters& counters) const override {
-    const ShearedRay sheared(ray);
-    return accelerator_.walk(ray, counters,
-                             [&](std::uint32_t triangle) { return test(sheared, triangle, counters).has_value(); });
+    return blocks_placed(PlacedRay(ray), counters);
+  }
+
+  std::optional<SurfaceHit> intersect_placed(const PlacedRay& ray, TraceCounters& counters) const override {
+    ClosestTriangle closest(ray, *mesh_, largest_coordinate_);
+    Ray rest = ray.object;
+    rest.t_max = closest.t_max();
+    const auto offer = [&](std::uint32_t triangle) {
+      ++counters.primitive_tests;
+      closest.offer(triangle);
+      rest.t_max = closest.t_max();
+      return false;
+    };
+    accelerator_.walk(rest, counters, offer, ray.drift(largest_coordinate_));
+    return closest.result();
+  }
+
+  bool blocks_placed(const PlacedRay& ray, TraceCounters& counters) const override {
+    const ClosestTriangle triangles(ray, *mesh_, largest_coordinate_);
+    const auto meets = [&](std::uint32_t triangle) {
+      ++counters.primitive_tests;
+      return triangles.meets(triangle);
+    };
+    return accelerator_.walk(ray.object, counters, meets, ray.drift(largest_coordinate_));
+  }
+
+  std::optional<TriangleVertices> triangle(std::uint32_t part) const override {
+    const auto [a, b, c] = mesh_->triangles[part];
+    return TriangleVertices{mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]};
   }
 
   /// Interpolated where the file gives normals, else the triangle's own.
@@ -78,15 +94,10 @@ class Mesh : public Surface {
     return found;
   }
 
-  std::optional<TriangleHit> test(const ShearedRay& ray, std::uint32_t triangle, TraceCounters& counters) const {
-    ++counters.primitive_tests;
-    const auto [a, b, c] = mesh_->triangles[triangle];
-    return intersect_triangle(ray, mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]);
-  }
-
   std::shared_ptr<const TriangleMesh> mesh_;
   Accelerator accelerator_;
   std::vector<Bounds3> runs_;
+  double largest_coordinate_ = 0;
 };
 
 constexpr std::array kParameters{

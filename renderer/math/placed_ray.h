@@ -1,0 +1,33 @@
+#pragma once
+
+#include "renderer/math/ray.h"
+#include "renderer/math/transform.h"
+
+namespace plumb {
+
+/// A world-space ray in the frame of a surface that a transform has placed. Taken there, its origin and direction are
+/// rounded; a surface that decides exactly takes the errors into account, and goes back to the world's ray, with the
+/// matrix as it stands, where they leave a decision open. Refers to the ray and the transform.
+struct PlacedRay {
+  /// For a surface without a transform: nothing is rounded.
+  explicit PlacedRay(const Ray& ray) : object(ray), world(&ray) {}
+  /// In a frame of its own. An identity changes nothing.
+  PlacedRay(const Ray& world_ray, const Transform& transform);
+
+  /// How far the rounded ray may pass, on any axis, from where the exact one is, at any t where that has no coordinate
+  /// above `reach`. Infinity where the direction has no digits.
+  double drift(double reach) const;
+
+  /// In object space, with the world's range: t means the same.
+  Ray object;
+  /// Hits strictly beyond need not be found. Never decides what lies in the range.
+  double nearest = std::numeric_limits<double>::infinity();
+  /// How far any coordinate of the origin and of the direction may be off.
+  double origin_error = 0;
+  double direction_error = 0;
+  const Ray* world;
+  /// Null where it is the identity.
+  const Transform* world_from_object = nullptr;
+};
+
+}  // namespace plumb

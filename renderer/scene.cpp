@@ -130,7 +130,7 @@ bool Scene::blocks(const Ray& ray, TraceCounters& counters) const {
 
 ShadingPoint Scene::shading_point(const Ray& ray, const Hit& hit) const {
   const PlacedSurface& placed = contents_.placed[hit.placed];
-  const Normal3 normal = placed.surface->normal(PlacedRay(ray, placed.world_from_object).object, hit.hit);
+  const Normal3 normal = placed.surface->normal(PlacedRay(ray, placed.world_from_object).object(), hit.hit);
   return {ray.at(hit.hit.t),
           normalized(placed.world_from_object.is_identity() ? normal : placed.world_from_object(normal)),
           normalized(-ray.direction)};

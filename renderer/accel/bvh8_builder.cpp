@@ -95,12 +95,10 @@ class Gatherer {
       : mesh_(mesh), vertices_(vertices), boxes_(boxes), binary_(binary), tree_(tree), helpers_(threads - 1) {}
 
   void gather() {
-    tree_.nodes = MappedArray<Bvh8Node>(binary_.size());
-    tree_.leaves = MappedArray<Bvh8Leaf>(binary_.size());
+    tree_.blocks = MappedArray<Bvh8Block>(2 * binary_.size());
     tree_.triangles = MappedArray<std::uint32_t>(boxes_.size());
     gather_node(0, 0);
-    tree_.nodes.shrink(nodes_);
-    tree_.leaves.shrink(leaves_);
+    tree_.blocks.shrink(blocks_);
   }
 
  private:
@@ -110,21 +108,16 @@ class Gatherer {
   };
 
   void gather_node(std::uint32_t index, std::uint32_t root) {
-    Children children = children_of(root);
-    Bvh8Node& node = tree_.nodes[index];
+    const Children children = children_of(root);
+    Bvh8Node& node = tree_.blocks[index].node;
+    const std::uint32_t first = blocks_.fetch_add(children.count);
+    node.first = first;
     node.nodes = static_cast<std::uint8_t>(children.nodes);
     node.present = static_cast<std::uint8_t>((1U << children.count) - 1);
-    node.first_node = nodes_.fetch_add(children.nodes);
-    const std::uint32_t first_leaf = leaves_.fetch_add(children.count - children.nodes);
-    node.first_leaf = (first_leaf - children.nodes) | kBvh8Leaf;
     set_boxes(node, binary_[root].box, children);
-    for (std::uint32_t i = children.nodes; i < children.count; ++i) fill_leaf(tree_.leaves[first_leaf + i - children.nodes], binary_[children.items[i]]);
-    std::vector<std::future<void>> others;
-    for (std::uint32_t i = 0; i < children.nodes; ++i) {
-      const std::uint32_t child = node.first_node + i, from = children.items[i];
-      // TODO
-      gather_node(child, from);
-    }
+    for (std::uint32_t i = children.nodes; i < children.count; ++i)
+      fill_leaf(tree_.blocks[first + i].leaf, binary_[children.items[i]]);
+    for (std::uint32_t i = 0; i < children.nodes; ++i) gather_node(first + i, children.items[i]);
   }
 
   /// The root's children, of which the largest is replaced by its own again and again; nodes first.
@@ -163,16 +156,16 @@ class Gatherer {
       const auto axis = static_cast<std::size_t>(a);
       node.origin[axis] = all.low[a];
       const double extent = static_cast<double>(all.high[a]) - static_cast<double>(all.low[a]);
-      // The smallest power of two of which 255 reach across; not so small that its products underflow.
-      int exponent = std::max(extent > 0 ? std::ilogb(extent / 255) : -126, -60);
-      if (std::ldexp(255.0, exponent) < extent) ++exponent;
+      // The smallest power of two of which 65535 reach across; not so small that its products underflow.
+      int exponent = std::max(extent > 0 ? std::ilogb(extent / 65535) : -126, -80);
+      if (std::ldexp(65535.0, exponent) < extent) ++exponent;
       node.step[axis] = std::ldexp(1.0F, exponent);
       const double steps = std::ldexp(1.0, -exponent);
       for (std::uint32_t i = 0; i < 8; ++i) {
         const FloatBox& box = binary_[children.items[std::min(i, children.count - 1)]].box;
         const auto from_origin = [&](float p) { return (static_cast<double>(p) - static_cast<double>(all.low[a])) * steps; };
-        node.steps[axis][0][i] = static_cast<std::uint8_t>(std::floor(from_origin(box.low[a])));
-        node.steps[axis][1][i] = static_cast<std::uint8_t>(std::ceil(from_origin(box.high[a])));
+        node.steps[axis][0][i] = static_cast<std::uint16_t>(std::floor(from_origin(box.low[a])));
+        node.steps[axis][1][i] = static_cast<std::uint16_t>(std::ceil(from_origin(box.high[a])));
       }
     }
   }
@@ -206,7 +199,7 @@ class Gatherer {
   std::span<const TriangleBox> boxes_;
   std::span<const BinaryNode> binary_;
   Bvh8Tree& tree_;
-  std::atomic<std::uint32_t> nodes_ = 1, leaves_ = 0;
+  std::atomic<std::uint32_t> blocks_ = 1;
   std::atomic<int> helpers_;
 };
 
@@ -217,7 +210,7 @@ Bvh8Tree build_bvh8(const TriangleMesh& mesh, const Bvh8Options& options) {
   tree.frame = frame_of(mesh);
   const FrameVertices vertices(mesh, tree.frame, options.threads);
   set_filter_errors(tree.frame);
-  tree.exact_vertices = tree.frame.vertex_error == 0;
+  tree.exact_vertices = tree.frame.vertex_error == 0 && tree.frame.factor == 1 && tree.frame.center == Point3{};
   MappedArray<TriangleBox> boxes(mesh.triangles.size());
   in_parts(mesh.triangles.size(), options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

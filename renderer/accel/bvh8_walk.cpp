@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3  // SSE4 and the scalar baseline are enough below AVX2
 #undef HWY_TARGET_INCLUDE
@@ -9,6 +10,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "renderer/accel/filter_ray.h"
 #include "renderer/accel/lanes8-inl.h"
 #include "renderer/accel/node_test-inl.h"
 
@@ -16,25 +18,43 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb {
 namespace HWY_NAMESPACE {
 
-/// A child and where the ray enters its box, in one number that sorts by the latter: the bits of t >= 0, then the reference.
-using Entry = std::uint64_t;
+/// A child and where the ray enters its box: the upper half holds the bits of t >= 0, the lower the child's block, and at the bottom whether
+/// it is a leaf. As a positive double, which it is for any t up to infinity, it sorts by t; and the processor has a minimum of doubles.
+class Entry {
+ public:
+  Entry() = default;
+  HWY_INLINE Entry(float t, std::uint32_t reference)
+      : bits_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(t) & 0x7fffffff) << 32 | reference) {}  // -0 is 0
+  HWY_INLINE float t() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
+  HWY_INLINE std::uint32_t reference() const { return static_cast<std::uint32_t>(bits_); }
+  /// The farther one first, without a branch that would have to be guessed.
+  static HWY_INLINE void sort(Entry& p, Entry& q) {
+    const auto a = std::bit_cast<double>(p.bits_), b = std::bit_cast<double>(q.bits_);
+    p.bits_ = std::bit_cast<std::uint64_t>(a > b ? a : b);
+    q.bits_ = std::bit_cast<std::uint64_t>(a > b ? b : a);
+  }
+  friend HWY_INLINE bool operator<(Entry p, Entry q) { return p.bits_ < q.bits_; }
 
-HWY_INLINE float t_of(Entry entry) { return std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32)); }
+ private:
+  std::uint64_t bits_;
+};
 
+/// Offers each triangle that the filter does not reject to a ClosestTriangle, which is made when the first comes up.
 class Walk {
  public:
-  HWY_INLINE Walk(const Bvh8Tree& tree, const TriangleMesh& mesh, const FilterRay& ray)
-      : tree_(tree), mesh_(mesh), ray_(ray), node_test_(ray), t_max_(ray.t_max) {}
+  HWY_INLINE Walk(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter)
+      : searched_(searched), tree_(searched.tree), ray_(ray), filter_(filter), node_test_(filter) {}
 
+  /// Ends at the first hit with kAny, and tells whether there was one.
   template <bool kAny>
-  HWY_INLINE void run(ClosestTriangle& closest, TraceCounters& counters) {
-    std::uint64_t node_visits = 0, tests = 0;
+  HWY_INLINE bool run(TraceCounters& counters) {
+    float t_max = filter_.t_max;
     Entry* top = stack_;
     std::uint32_t reference = 0;
     for (;;) {
-      if ((reference & kBvh8Leaf) == 0) {
-        ++node_visits;
-        const Bvh8Node& node = tree_.nodes.data()[reference];
+      if ((reference & 1) == 0) {
+        ++counters.node_visits;
+        const Bvh8Node& node = block(reference).node;
         alignas(32) std::array<float, 8> entered;
         const std::uint32_t hits = node_test_(node, entered.data());
         if (hits != 0) {
@@ -42,106 +62,96 @@ class Walk {
           continue;
         }
       } else {
-        const Bvh8Leaf& leaf = tree_.leaves.data()[reference & ~kBvh8Leaf];
-        tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
+        const Bvh8Leaf& leaf = block(reference).leaf;
+        counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
         std::uint32_t candidates = test_leaf(leaf);
         if (candidates != 0) {
+          if (!closest_) closest_.emplace(ray_, searched_.mesh, searched_.largest_coordinate);
           do {
-            ++counters.rays[0];
-            offer(leaf, static_cast<std::uint32_t>(std::countr_zero(candidates)), closest);
+            const auto slot = static_cast<std::uint32_t>(std::countr_zero(candidates));
             candidates &= candidates - 1;
+            const std::uint32_t& triangle = tree_.triangles.data()[leaf.first + slot];
+            const TriangleVertices corners = tree_.exact_vertices ? corners_of(leaf, slot) : corners_of(triangle);
+            if constexpr (kAny) {
+              if (closest_->meets(corners)) return true;
+            } else {
+              closest_->offer(triangle, corners);
+            }
           } while (candidates != 0);
-          if (closest.found()) {
-            if (kAny) break;
-            t_max_ = ray_.frame_t_max(closest.t_max());
-            node_test_.set_t_max(t_max_);
+          if constexpr (!kAny) {
+            t_max = filter_.frame_t_max(closest_->t_max());
+            node_test_.set_t_max(t_max);
           }
         }
       }
       do {
-        if (top == stack_) goto end;
+        if (top == stack_) return false;
         --top;
-      } while (!(t_of(*top) <= t_max_));
-      reference = static_cast<std::uint32_t>(*top);
+      } while (!(top->t() <= t_max));
+      reference = top->reference();
     }
-  end:
-    counters.node_visits += node_visits;
-    counters.primitive_tests += tests;
   }
+
+  HWY_INLINE std::optional<SurfaceHit> result() const { return closest_ ? closest_->result() : std::nullopt; }
 
  private:
   /// Returns the nearest of the hit children and puts the others on the stack, nearer ones higher; with kAny in no order. Two and three
   /// are sorted without a branch, as their order cannot be guessed. The way from the mask to the next node is kept short: all else waits for it.
   template <bool kAny>
   HWY_INLINE std::uint32_t take(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered, Entry*& top) const {
-    const std::uint32_t nodes = node.nodes, first_node = node.first_node, first_leaf = node.first_leaf;
+    const std::uint32_t first = node.first, nodes = node.nodes;
     const auto next = [&] {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(hits));
       hits &= hits - 1;
       return slot;
     };
-    const auto reference = [&](std::uint32_t slot) { return slot + (slot < nodes ? first_node : first_leaf); };
-    const auto entry = [&](std::uint32_t slot) {
-      const auto t = std::bit_cast<std::uint32_t>(entered[slot]) & 0x7fffffff;  // -0 is 0
-      return static_cast<Entry>(t) << 32 | reference(slot);
+    const auto reference = [&](std::uint32_t slot) { return (first + slot) << 1 | static_cast<std::uint32_t>(slot >= nodes); };
+    const auto next_entry = [&] {
+      const std::uint32_t slot = next();
+      return Entry(entered[slot], reference(slot));
     };
-    const auto sort = [](Entry& p, Entry& q) {  // the farther one first
-      const Entry nearer = std::min(p, q);
-      p = std::max(p, q);
-      q = nearer;
-    };
-    const std::uint32_t first = next();
-    if (hits == 0) return reference(first);
-    if (kAny) {
-      do {
-        const Entry other = entry(next());
-        prefetch(other);
-        *top++ = other;
-      } while (hits != 0);
-      return reference(first);
-    }
-    Entry a = entry(first), b = entry(next());
-    sort(a, b);
-    if (hits == 0) {
-      prefetch(a);
-      *top++ = a;
-      return static_cast<std::uint32_t>(b);
-    }
-    Entry c = entry(next());
-    sort(b, c);
-    sort(a, b);
+    if ((hits & (hits - 1)) == 0) return reference(next());
+    Entry a = next_entry(), b = next_entry();
+    Entry::sort(a, b);
     prefetch(a);
+    if (hits == 0) {
+      *top++ = a;
+      return b.reference();
+    }
+    Entry c = next_entry();
+    Entry::sort(b, c);
+    Entry::sort(a, b);
     prefetch(b);
     Entry* const bottom = top;
     top[0] = a;
     top[1] = b;
     top += 2;
     while (hits != 0) {
-      Entry other = entry(next());
-      sort(other, c);
+      Entry other = next_entry();
+      Entry::sort(other, c);
       prefetch(other);
       Entry* place = top++;
       for (; place > bottom && place[-1] < other; --place) place[0] = place[-1];
       *place = other;
     }
-    return static_cast<std::uint32_t>(c);
+    return c.reference();
   }
 
+  HWY_INLINE const Bvh8Block& block(std::uint32_t reference) const { return tree_.blocks.data()[reference >> 1]; }
+
   HWY_INLINE void prefetch(Entry entry) const {
-    const auto reference = static_cast<std::uint32_t>(entry);
-    const char* at = (reference & kBvh8Leaf) ? reinterpret_cast<const char*>(tree_.leaves.data() + (reference & ~kBvh8Leaf))
-                                         : reinterpret_cast<const char*>(tree_.nodes.data() + reference);
+    const char* at = reinterpret_cast<const char*>(&block(entry.reference()));
     __builtin_prefetch(at);
     __builtin_prefetch(at + 64);
   }
 
   /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges.
   HWY_INLINE std::uint32_t test_leaf(const Bvh8Leaf& leaf) const {
-    const Float8 ax = load8(leaf.vertices[ray_.axis[0]].data()) - all8(ray_.origin[0]);
-    const Float8 ay = load8(leaf.vertices[ray_.axis[1]].data()) - all8(ray_.origin[1]);
-    const Float8 az = load8(leaf.vertices[ray_.axis[2]].data()) - all8(ray_.origin[2]);
-    const Float8 x = ax - all8(ray_.shear_x) * az;
-    const Float8 y = ay - all8(ray_.shear_y) * az;
+    const Float8 ax = load8(leaf.vertices[filter_.axis[0]].data()) - all8(filter_.origin[0]);
+    const Float8 ay = load8(leaf.vertices[filter_.axis[1]].data()) - all8(filter_.origin[1]);
+    const Float8 az = load8(leaf.vertices[filter_.axis[2]].data()) - all8(filter_.origin[2]);
+    const Float8 x = ax - all8(filter_.shear_x) * az;
+    const Float8 y = ay - all8(filter_.shear_y) * az;
     const Float8 size = size_of(x) + size_of(y);
     const Lanes8 a = lanes_from(leaf.corner[0].data()), b = lanes_from(leaf.corner[1].data()),
                  c = lanes_from(leaf.corner[2].data());
@@ -149,38 +159,44 @@ class Walk {
     const Float8 ya = taken(y, a), yb = taken(y, b), yc = taken(y, c);
     const Float8 sizes = (taken(size, a) + taken(size, b)) + taken(size, c);
     const Float8 u = xc * yb - yc * xb, v = xa * yc - ya * xc, w = xb * ya - yb * xa;
-    const Float8 error = sizes * all8(ray_.weight_error) + all8(ray_.weight_error_constant);
+    const Float8 error = sizes * all8(filter_.weight_error) + all8(filter_.weight_error_constant);
     const Float8 lowest = low(low(u, v), w), highest = high(high(u, v), w);
     // Rejected: lowest < -error and highest > error.
     const std::uint32_t kept = at_most(negative(error), lowest) | at_most(highest, error);
     return kept & leaf.present;
   }
 
-  HWY_INLINE void offer(const Bvh8Leaf& leaf, std::uint32_t slot, ClosestTriangle& closest) const {
-    const std::uint32_t triangle = tree_.triangles.data()[leaf.first + slot];
-    const auto vertex = [&](int k) {
-      const std::uint8_t i = leaf.corner[static_cast<std::size_t>(k)][slot];
+  /// The mesh's own, where the leaf has them to the bit.
+  HWY_INLINE TriangleVertices corners_of(const Bvh8Leaf& leaf, std::uint32_t slot) const {
+    const auto corner = [&](std::size_t k) {
+      const std::uint8_t i = leaf.corner[k][slot];
       return Point3{leaf.vertices[0][i], leaf.vertices[1][i], leaf.vertices[2][i]};
     };
-    if (tree_.exact_vertices) {
-      closest.offer(triangle, vertex(0), vertex(1), vertex(2));
-    } else {
-      const auto& [a, b, c] = mesh_.triangles[triangle];
-      closest.offer(triangle, mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
-    }
+    return {corner(0), corner(1), corner(2)};
+  }
+  HWY_INLINE TriangleVertices corners_of(std::uint32_t triangle) const {
+    const auto& [a, b, c] = searched_.mesh.triangles[triangle];
+    return {searched_.mesh.positions[a], searched_.mesh.positions[b], searched_.mesh.positions[c]};
   }
 
+  const SearchedMesh& searched_;
   const Bvh8Tree& tree_;
-  const TriangleMesh& mesh_;
-  const FilterRay& ray_;
+  const PlacedRay& ray_;
+  const FilterRay& filter_;
   NodeTest node_test_;
-  float t_max_;
-  Entry stack_[7 * kBvh8Deepest + 8];
+  std::optional<ClosestTriangle> closest_;
+  /// At most seven entries a level, and one that is not put aside.
+  Entry stack_[7 * kBvh8Deepest + 1];
 };
 
-void walk(const Bvh8Tree& tree, const TriangleMesh& mesh, const FilterRay& ray, bool any, ClosestTriangle& closest, TraceCounters& counters) {
-  Walk walk(tree, mesh, ray);
-  any ? walk.run<true>(closest, counters) : walk.run<false>(closest, counters);
+std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter, TraceCounters& counters) {
+  Walk walk(searched, ray, filter);
+  walk.run<false>(counters);
+  return walk.result();
+}
+
+bool any(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter, TraceCounters& counters) {
+  return Walk(searched, ray, filter).run<true>(counters);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -190,10 +206,31 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace plumb {
 
-HWY_EXPORT(walk);
+HWY_EXPORT(closest);
+HWY_EXPORT(any);
 
-void walk_bvh8(const Bvh8Tree& tree, const TriangleMesh& mesh, FilterRay& ray, bool any, ClosestTriangle& closest, TraceCounters& counters) {
-  HWY_DYNAMIC_DISPATCH(walk)(tree, mesh, ray, any, closest, counters);
+namespace {
+
+bool prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
+  if (searched.tree.blocks.size() == 0 ||
+      make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter) == FilterRay::Fate::misses)
+    return false;
+  filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
+  return true;
+}
+
+}  // namespace
+
+std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+  FilterRay filter;
+  if (!prepare(searched, ray, filter)) return std::nullopt;
+  return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, filter, counters);
+}
+
+bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+  FilterRay filter;
+  if (!prepare(searched, ray, filter)) return false;
+  return HWY_DYNAMIC_DISPATCH(any)(searched, ray, filter, counters);
 }
 
 }  // namespace plumb

@@ -1,16 +1,25 @@
 #pragma once
 
+#include <optional>
+
 #include "renderer/accel/bvh8_layout.h"
-#include "renderer/accel/candidates.h"
-#include "renderer/accel/filter_ray.h"
 #include "renderer/integrator/trace_counters.h"
-#include "meshes/triangle_mesh.h"
+#include "renderer/math/placed_ray.h"
+#include "renderer/surfaces/closest_triangle.h"
 
 namespace plumb {
 
-/// Offers to `closest` each triangle that the ray may hit within what is left of its range, roughly near to far; with `any`,
-/// until there is a hit. Compiled for several instruction sets; all offer the same triangles in the same order.
-void walk_bvh8(const Bvh8Tree& tree, const TriangleMesh& mesh, FilterRay& ray, bool any, ClosestTriangle& closest,
-               TraceCounters& counters);
+/// A tree and what it was built from.
+struct SearchedMesh {
+  const Bvh8Tree& tree;
+  const TriangleMesh& mesh;
+  /// As in ClosestTriangle.
+  double largest_coordinate;
+};
+
+/// As Bvh8::closest and any. Compiled for several instruction sets, of which the best is taken; all visit the same nodes and give the
+/// same hits.
+std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters);
+bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters);
 
 }  // namespace plumb

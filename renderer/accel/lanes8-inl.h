@@ -40,15 +40,8 @@ struct Float4 {
 };
 HWY_INLINE Float4 load4(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
 HWY_INLINE Float4 all4(float value) { return {{value, value, value, value}}; }
-template <std::size_t kLane>
-HWY_INLINE Float4 lane_of4(Float4 p) {
-  return all4(p.v[kLane]);
-}
-HWY_INLINE Float4 from_bytes4(const std::uint8_t* p) {
+HWY_INLINE Float4 from_shorts4(const std::uint16_t* p) {
   return Float4::each([&](std::size_t i) { return static_cast<float>(p[i]); });
-}
-HWY_INLINE Float4 powers4(const std::uint8_t* p) {
-  return Float4::each([&](std::size_t i) { return std::bit_cast<float>(static_cast<std::uint32_t>(p[i]) << 23); });
 }
 HWY_INLINE void store4(Float4 p, float* to) {
   for (std::size_t i = 0; i < 4; ++i) to[i] = p.v[i];
@@ -76,12 +69,6 @@ HWY_INLINE Float4 negative4(Float4 p) {
 using Four = hn::FixedTag<float, 4>;
 using Float4 = hn::Vec<Four>;
 HWY_INLINE Float4 load4(const float* p) { return hn::LoadU(Four(), p); }
-/// 2^(byte - 127), for four bytes.
-HWY_INLINE Float4 powers4(const std::uint8_t* p) {
-  const hn::FixedTag<std::uint8_t, 4> bytes;
-  const hn::FixedTag<std::uint32_t, 4> words;
-  return hn::BitCast(Four(), hn::ShiftLeft<23>(hn::PromoteTo(words, hn::LoadU(bytes, p))));
-}
 
 #endif
 
@@ -93,16 +80,16 @@ using Lanes8 = hn::Indices256<float>;
 
 HWY_INLINE Float8 load8(const float* p) { return hn::LoadU(Eight(), p); }
 HWY_INLINE Float8 all8(float value) { return hn::Set(Eight(), value); }
-template <int kLane>
-HWY_INLINE Float8 lane_of(Float4 v) {
-  return hn::Broadcast<kLane>(hn::Combine(Eight(), v, v));
-}
 HWY_INLINE hn::Vec<hn::FixedTag<std::int32_t, 8>> words8(const std::uint8_t* p) {
   const hn::FixedTag<std::uint8_t, 8> bytes;
   const hn::FixedTag<std::int32_t, 8> words;
   return hn::PromoteTo(words, hn::LoadU(bytes, p));
 }
-HWY_INLINE Float8 from_bytes(const std::uint8_t* p) { return hn::ConvertTo(Eight(), words8(p)); }
+HWY_INLINE Float8 from_shorts(const std::uint16_t* p) {
+  const hn::FixedTag<std::uint16_t, 8> shorts;
+  const hn::FixedTag<std::int32_t, 8> words;
+  return hn::ConvertTo(Eight(), hn::PromoteTo(words, hn::LoadU(shorts, p)));
+}
 HWY_INLINE Lanes8 lanes_from(const std::uint8_t* p) { return hn::IndicesFromVec(Eight(), words8(p)); }
 HWY_INLINE Float8 taken(Float8 v, Lanes8 lanes) { return hn::TableLookupLanes(v, lanes); }
 HWY_INLINE void store8(Float8 v, float* p) { hn::StoreU(v, Eight(), p); }
@@ -120,14 +107,10 @@ HWY_INLINE Float8 negative(Float8 a) { return hn::Neg(a); }
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_INLINE Float4 all4(float value) { return hn::Set(Four(), value); }
-template <std::size_t kLane>
-HWY_INLINE Float4 lane_of4(Float4 p) {
-  return hn::Broadcast<static_cast<int>(kLane)>(p);
-}
-HWY_INLINE Float4 from_bytes4(const std::uint8_t* p) {
-  const hn::FixedTag<std::uint8_t, 4> bytes;
+HWY_INLINE Float4 from_shorts4(const std::uint16_t* p) {
+  const hn::FixedTag<std::uint16_t, 4> shorts;
   const hn::FixedTag<std::int32_t, 4> words;
-  return hn::ConvertTo(Four(), hn::PromoteTo(words, hn::LoadU(bytes, p)));
+  return hn::ConvertTo(Four(), hn::PromoteTo(words, hn::LoadU(shorts, p)));
 }
 HWY_INLINE void store4(Float4 p, float* to) { hn::StoreU(p, Four(), to); }
 HWY_INLINE std::uint32_t at_most4(Float4 p, Float4 q) {
@@ -152,12 +135,7 @@ using Lanes8 = const std::uint8_t*;
 
 HWY_INLINE Float8 load8(const float* p) { return {load4(p), load4(p + 4)}; }
 HWY_INLINE Float8 all8(float value) { return {all4(value), all4(value)}; }
-/// One lane of four in all eight.
-template <std::size_t kLane>
-HWY_INLINE Float8 lane_of(Float4 v) {
-  return {lane_of4<kLane>(v), lane_of4<kLane>(v)};
-}
-HWY_INLINE Float8 from_bytes(const std::uint8_t* p) { return {from_bytes4(p), from_bytes4(p + 4)}; }
+HWY_INLINE Float8 from_shorts(const std::uint16_t* p) { return {from_shorts4(p), from_shorts4(p + 4)}; }
 HWY_INLINE Lanes8 lanes_from(const std::uint8_t* p) { return p; }
 HWY_INLINE void store8(Float8 v, float* p) {
   store4(v.a, p);

@@ -44,8 +44,8 @@ class NodeTest {
       const Float8 origin = all8(node.origin[axis]);
       const Float8 slope = all8(node.step[axis]) * reciprocal_;
       const auto* rows = node.steps[axis].data();
-      return {(near_origin_ - origin) * reciprocal_ - from_bytes(rows[near_row_].data()) * slope,
-              (far_origin_ - origin) * reciprocal_ - from_bytes(rows[1 - near_row_].data()) * slope};
+      return {(near_origin_ - origin) * reciprocal_ - from_shorts(rows[near_row_].data()) * slope,
+              (far_origin_ - origin) * reciprocal_ - from_shorts(rows[1 - near_row_].data()) * slope};
     }
 
    private:

@@ -10,9 +10,9 @@ double largest(double x, double y, double z) { return std::max({std::fabs(x), st
 
 }  // namespace
 
-PlacedRay::PlacedRay(const Ray& world_ray, const Transform& transform) : object(world_ray), world(&world_ray) {
+PlacedRay::PlacedRay(const Ray& world_ray, const Transform& transform) : world(&world_ray) {
   if (transform.is_identity()) return;
-  object = transform.inverse_of(world_ray);
+  object_ = transform.inverse_of(world_ray);
   world_from_object = &transform;
   const Point3& o = world_ray.origin;
   const Vec3& d = world_ray.direction;
@@ -34,11 +34,11 @@ PlacedRay::PlacedRay(const Ray& world_ray, const Transform& transform) : object(
 
 double PlacedRay::drift(double reach) const {
   if (!world_from_object) return 0;
-  const double along = largest(object.direction.x, object.direction.y, object.direction.z);
+  const double along = largest(object_.direction.x, object_.direction.y, object_.direction.z);
   if (!(direction_error <= 0.5 * along)) return std::numeric_limits<double>::infinity();
   // At that t the exact ray is |t| |d| from its origin, which is at most reach + |o|, on the axis where its direction
   // is longest. Four times instead of twice, for the roundings here.
-  const double way = reach + largest(object.origin.x, object.origin.y, object.origin.z) + origin_error;
+  const double way = reach + largest(object_.origin.x, object_.origin.y, object_.origin.z) + origin_error;
   return 2 * origin_error + 4 * direction_error * (way / along);
 }
 

@@ -10,7 +10,7 @@ namespace plumb {
 /// matrix as it stands, where they leave a decision open. Refers to the ray and the transform.
 struct PlacedRay {
   /// For a surface without a transform: nothing is rounded.
-  explicit PlacedRay(const Ray& ray) : object(ray), world(&ray) {}
+  explicit PlacedRay(const Ray& ray) : world(&ray) {}
   /// In a frame of its own. An identity changes nothing.
   PlacedRay(const Ray& world_ray, const Transform& transform);
 
@@ -19,7 +19,8 @@ struct PlacedRay {
   double drift(double reach) const;
 
   /// In object space, with the world's range: t means the same.
-  Ray object;
+  const Ray& object() const { return world_from_object ? object_ : *world; }
+
   /// Hits strictly beyond need not be found. Never decides what lies in the range.
   double nearest = std::numeric_limits<double>::infinity();
   /// How far any coordinate of the origin and of the direction may be off.
@@ -28,6 +29,10 @@ struct PlacedRay {
   const Ray* world;
   /// Null where it is the identity.
   const Transform* world_from_object = nullptr;
+
+ private:
+  /// Where it is not the world's own.
+  Ray object_;
 };
 
 }  // namespace plumb

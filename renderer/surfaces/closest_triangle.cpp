@@ -3,43 +3,44 @@
 namespace plumb {
 
 ClosestTriangle::ClosestTriangle(const PlacedRay& ray, const TriangleMesh& mesh, double largest_coordinate)
-    : mesh_(mesh), ray_(ray), any_weight_error_(Bounds3::kInfinity), t_max_(std::min(ray.object.t_max, ray.nearest)) {
-  const Point3& o = ray.object.origin;
+    : mesh_(mesh), ray_(ray), any_weight_error_(Bounds3::kInfinity), t_max_(std::min(ray.object().t_max, ray.nearest)) {
+  const Point3& o = ray.object().origin;
   const double m = 1.001 * (largest_coordinate + std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)}));
   // A sheared coordinate is one of at most m plus at most another such. Within these nothing overflows, and what
   // underflows is below 2^-1074 m, far below the bound.
   if (m >= 0x1p-200 && m <= 0x1p200) any_weight_error_ = weight_error(ray_, m, 12.1 * m);
 }
 
-ExactTriangle ClosestTriangle::exact(std::uint32_t triangle) const {
+TriangleVertices ClosestTriangle::vertices(std::uint32_t triangle) const {
   const auto& [a, b, c] = mesh_.triangles[triangle];
-  return {ray_.world, ray_.world_from_object, {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]}};
+  return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
 }
 
-bool ClosestTriangle::meets(std::uint32_t triangle) const {
-  const auto& [a, b, c] = mesh_.triangles[triangle];
-  const auto& p = mesh_.positions;
-  const ShearedTriangle sheared(ray_, p[a], p[b], p[c]);
+bool ClosestTriangle::meets(const TriangleVertices& corners) const {
+  const auto& [a, b, c] = corners;
+  const ShearedTriangle sheared(ray_, a, b, c);
   if (sheared.is_missed(any_weight_error_)) return false;
-  const auto meeting = meet(ray_, sheared, p[a], p[b], p[c]);
-  return meeting && t_in_range(ray_, *meeting, p[a], p[b], p[c]);
+  const auto meeting = meet(ray_, sheared, a, b, c);
+  return meeting && t_in_range(ray_, *meeting, a, b, c);
 }
 
-bool ClosestTriangle::is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle) const {
+bool ClosestTriangle::is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle,
+                                const TriangleVertices& corners) const {
   if (meeting.t + meeting.t_error < best_.t - best_.t_error) return true;  // rounding is monotone
-  const int order = exact(triangle).compare_t(exact(best_triangle_));
+  const ExactTriangle candidate(ray_.world, ray_.world_from_object, corners);
+  const int order = candidate.compare_t({ray_.world, ray_.world_from_object, vertices(best_triangle_)});
   return order < 0 || (order == 0 && triangle < best_triangle_);
 }
 
-void ClosestTriangle::consider(std::uint32_t triangle, const ShearedTriangle& sheared) {
-  const auto& [a, b, c] = mesh_.triangles[triangle];
-  const auto& p = mesh_.positions;
-  std::optional<TriangleMeeting> meeting = meet(ray_, sheared, p[a], p[b], p[c]);
+void ClosestTriangle::consider(const std::uint32_t& triangle, const TriangleVertices& corners,
+                               const ShearedTriangle& sheared) {
+  const auto& [a, b, c] = corners;
+  std::optional<TriangleMeeting> meeting = meet(ray_, sheared, a, b, c);
   if (!meeting || meeting->t - meeting->t_error > t_max_ || (found_ && triangle == best_triangle_)) return;
-  const std::optional<double> t = t_in_range(ray_, *meeting, p[a], p[b], p[c]);
+  const std::optional<double> t = t_in_range(ray_, *meeting, a, b, c);
   if (!t) return;
   meeting->t = *t;
-  if (found_ && !is_nearer(*meeting, triangle)) return;
+  if (found_ && !is_nearer(*meeting, triangle, corners)) return;
   best_ = *meeting;
   best_triangle_ = triangle;
   found_ = true;

@@ -18,13 +18,18 @@ class ClosestTriangle {
   /// Takes a triangle into account. Most that are missed cost a few nanoseconds.
   void offer(std::uint32_t triangle) {
     const auto& [a, b, c] = mesh_.triangles[triangle];
-    const auto& p = mesh_.positions;
-    const ShearedTriangle sheared(ray_, p[a], p[b], p[c]);
-    if (!sheared.is_missed(any_weight_error_)) consider(triangle, sheared);
+    offer(triangle, {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]});
+  }
+
+  /// The same of one whose corners are at hand. Its number is read only if it is met.
+  void offer(const std::uint32_t& triangle, const TriangleVertices& corners) {
+    const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
+    if (!sheared.is_missed(any_weight_error_)) consider(triangle, corners, sheared);
   }
 
   /// Whether the ray meets this triangle within its range; nothing is kept.
-  bool meets(std::uint32_t triangle) const;
+  bool meets(const TriangleVertices& corners) const;
+  bool meets(std::uint32_t triangle) const { return meets(vertices(triangle)); }
 
   /// What lies strictly beyond cannot change the result. Not above the ray's own t_max nor its `nearest`.
   double t_max() const { return t_max_; }
@@ -33,10 +38,10 @@ class ClosestTriangle {
   std::optional<SurfaceHit> result() const;
 
  private:
-  void consider(std::uint32_t triangle, const ShearedTriangle& sheared);
-  ExactTriangle exact(std::uint32_t triangle) const;
+  void consider(const std::uint32_t& triangle, const TriangleVertices& corners, const ShearedTriangle& sheared);
+  TriangleVertices vertices(std::uint32_t triangle) const;
   /// Whether this meeting lies before the best one, both in the range.
-  bool is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle) const;
+  bool is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle, const TriangleVertices& corners) const;
 
   const TriangleMesh& mesh_;
   ShearedRay ray_;

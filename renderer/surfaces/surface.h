@@ -46,7 +46,7 @@ class Surface {
   /// lies beyond `nearest` as out of range. Meshes decide for the world's ray.
   virtual std::optional<SurfaceHit> intersect_placed(const PlacedRay& ray, TraceCounters& counters) const;
   virtual bool blocks_placed(const PlacedRay& ray, TraceCounters& counters) const {
-    return blocks(ray.object, counters);
+    return blocks(ray.object(), counters);
   }
 
   /// The corners of a part that is a flat triangle, which is hit as an exact one; nothing of other surfaces.
@@ -63,7 +63,7 @@ class Surface {
 };
 
 inline std::optional<SurfaceHit> Surface::intersect_placed(const PlacedRay& ray, TraceCounters& counters) const {
-  Ray rest = ray.object;
+  Ray rest = ray.object();
   if (ray.nearest < rest.t_max) rest.t_max = ray.nearest;
   return intersect(rest, counters);
 }

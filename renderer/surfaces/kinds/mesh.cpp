@@ -25,7 +25,7 @@ class Mesh : public Surface {
 
   std::optional<SurfaceHit> intersect_placed(const PlacedRay& ray, TraceCounters& counters) const override {
     ClosestTriangle closest(ray, *mesh_, largest_coordinate_);
-    Ray rest = ray.object;
+    Ray rest = ray.object();
     rest.t_max = closest.t_max();
     const auto offer = [&](std::uint32_t triangle) {
       ++counters.primitive_tests;
@@ -43,7 +43,7 @@ class Mesh : public Surface {
       ++counters.primitive_tests;
       return triangles.meets(triangle);
     };
-    return accelerator_.walk(ray.object, counters, meets, ray.drift(largest_coordinate_));
+    return accelerator_.walk(ray.object(), counters, meets, ray.drift(largest_coordinate_));
   }
 
   std::optional<TriangleVertices> triangle(std::uint32_t part) const override {

@@ -95,10 +95,12 @@ class Gatherer {
       : mesh_(mesh), vertices_(vertices), boxes_(boxes), binary_(binary), tree_(tree), helpers_(threads - 1) {}
 
   void gather() {
-    tree_.blocks = MappedArray<Bvh8Block>(2 * binary_.size());
+    tree_.nodes = MappedArray<Bvh8Node>(binary_.size());
+    tree_.leaves = MappedArray<Bvh8Leaf>(binary_.size());
     tree_.triangles = MappedArray<std::uint32_t>(boxes_.size());
     gather_node(0, 0);
-    tree_.blocks.shrink(blocks_);
+    tree_.nodes.shrink(nodes_);
+    tree_.leaves.shrink(leaves_);
   }
 
  private:
@@ -109,15 +111,17 @@ class Gatherer {
 
   void gather_node(std::uint32_t index, std::uint32_t root) {
     const Children children = children_of(root);
-    Bvh8Node& node = tree_.blocks[index].node;
-    const std::uint32_t first = blocks_.fetch_add(children.count);
-    node.first = first;
+    Bvh8Node& node = tree_.nodes[index];
+    const std::uint32_t first_node = nodes_.fetch_add(children.nodes);
+    const std::uint32_t first_leaf = leaves_.fetch_add(children.count - children.nodes) - children.nodes;
+    node.first_node = first_node;
+    node.first_leaf = first_leaf;
     node.nodes = static_cast<std::uint8_t>(children.nodes);
     node.present = static_cast<std::uint8_t>((1U << children.count) - 1);
-    set_boxes(node, binary_[root].box, children);
+    set_boxes(node, children);
     for (std::uint32_t i = children.nodes; i < children.count; ++i)
-      fill_leaf(tree_.blocks[first + i].leaf, binary_[children.items[i]]);
-    for (std::uint32_t i = 0; i < children.nodes; ++i) gather_node(first + i, children.items[i]);
+      fill_leaf(tree_.leaves[first_leaf + i], binary_[children.items[i]]);
+    for (std::uint32_t i = 0; i < children.nodes; ++i) gather_node(first_node + i, children.items[i]);
   }
 
   /// The root's children, of which the largest is replaced by its own again and again; nodes first.
@@ -151,21 +155,12 @@ class Gatherer {
     return children;
   }
 
-  void set_boxes(Bvh8Node& node, const FloatBox& all, const Children& children) const {
-    for (int a = 0; a < 3; ++a) {
-      const auto axis = static_cast<std::size_t>(a);
-      node.origin[axis] = all.low[a];
-      const double extent = static_cast<double>(all.high[a]) - static_cast<double>(all.low[a]);
-      // The smallest power of two of which 65535 reach across; not so small that its products underflow.
-      int exponent = std::max(extent > 0 ? std::ilogb(extent / 65535) : -126, -80);
-      if (std::ldexp(65535.0, exponent) < extent) ++exponent;
-      node.step[axis] = std::ldexp(1.0F, exponent);
-      const double steps = std::ldexp(1.0, -exponent);
-      for (std::uint32_t i = 0; i < 8; ++i) {
-        const FloatBox& box = binary_[children.items[std::min(i, children.count - 1)]].box;
-        const auto from_origin = [&](float p) { return (static_cast<double>(p) - static_cast<double>(all.low[a])) * steps; };
-        node.steps[axis][0][i] = static_cast<std::uint16_t>(std::floor(from_origin(box.low[a])));
-        node.steps[axis][1][i] = static_cast<std::uint16_t>(std::ceil(from_origin(box.high[a])));
+  void set_boxes(Bvh8Node& node, const Children& children) const {
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const FloatBox& box = binary_[children.items[std::min(i, children.count - 1)]].box;
+      for (int axis = 0; axis < 3; ++axis) {
+        node.sides[static_cast<std::size_t>(axis)][0][i] = box.low[axis];
+        node.sides[static_cast<std::size_t>(axis)][1][i] = box.high[axis];
       }
     }
   }
@@ -199,7 +194,7 @@ class Gatherer {
   std::span<const TriangleBox> boxes_;
   std::span<const BinaryNode> binary_;
   Bvh8Tree& tree_;
-  std::atomic<std::uint32_t> blocks_ = 1;
+  std::atomic<std::uint32_t> nodes_ = 1, leaves_ = 0;
   std::atomic<int> helpers_;
 };
 

@@ -8,20 +8,18 @@
 
 namespace plumb {
 
-/// Up to eight boxes, each as whole steps from the corner `origin`, after [Ylitie 2017] with 16 bits: a coordinate of box i on axis a is
-/// origin[a] + step[a] * steps[a][0][i] for the low side, steps[a][1][i] for the high one. The boxes hold what they must, rounded outward.
+/// Up to eight boxes: four cache lines, of which the first three hold the sides, by axis and then low and high.
 struct alignas(64) Bvh8Node {
-  std::array<float, 3> origin;
-  /// Powers of two.
-  std::array<float, 3> step;
-  std::array<std::array<std::array<std::uint16_t, 8>, 2>, 3> steps;
-  /// The block of the first child; the others follow it, nodes first, then leaves.
-  std::uint32_t first;
+  std::array<std::array<std::array<float, 8>, 2>, 3> sides;
+  /// The number of the first child among the nodes, and among the leaves where child 0 would be if all were leaves. The children that are
+  /// nodes come first; both kinds lie side by side.
+  std::uint32_t first_node;
+  std::uint32_t first_leaf;
   std::uint8_t nodes;
   /// A bit for each child that there is.
   std::uint8_t present;
 };
-static_assert(sizeof(Bvh8Node) == 128);
+static_assert(sizeof(Bvh8Node) == 256);
 
 /// Up to eight triangles that share up to eight vertices: two cache lines.
 struct alignas(64) Bvh8Leaf {
@@ -35,12 +33,6 @@ struct alignas(64) Bvh8Leaf {
   std::uint8_t present;
 };
 static_assert(sizeof(Bvh8Leaf) == 128);
-
-/// Nodes and leaves lie in one array, so that a child is found the same way whichever it is.
-union Bvh8Block {
-  Bvh8Node node;
-  Bvh8Leaf leaf;
-};
 
 /// What takes the mesh's coordinates to those of the leaves and boxes, floats of moderate size: (p - center) * factor, the factor a
 /// power of two. Wherever the mesh's numbers are floats of moderate size already it is the identity.
@@ -58,9 +50,10 @@ struct FilterFrame {
   }
 };
 
-/// A hierarchy as it is walked. Block 0 is the root, a node; empty if there is none.
+/// A hierarchy as it is walked. Node 0 is the root; empty if there is none.
 struct Bvh8Tree {
-  MappedArray<Bvh8Block> blocks;
+  MappedArray<Bvh8Node> nodes;
+  MappedArray<Bvh8Leaf> leaves;
   /// The mesh's number of each triangle of each leaf; a triangle may occur in several leaves.
   MappedArray<std::uint32_t> triangles;
   FilterFrame frame;

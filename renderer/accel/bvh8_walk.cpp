@@ -54,7 +54,7 @@ class Walk {
     for (;;) {
       if ((reference & 1) == 0) {
         ++counters.node_visits;
-        const Bvh8Node& node = block(reference).node;
+        const Bvh8Node& node = tree_.nodes.data()[reference >> 1];
         alignas(32) std::array<float, 8> entered;
         const std::uint32_t hits = node_test_(node, entered.data());
         if (hits != 0) {
@@ -62,7 +62,7 @@ class Walk {
           continue;
         }
       } else {
-        const Bvh8Leaf& leaf = block(reference).leaf;
+        const Bvh8Leaf& leaf = tree_.leaves.data()[reference >> 1];
         counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
         std::uint32_t candidates = test_leaf(leaf);
         if (candidates != 0) {
@@ -99,13 +99,14 @@ class Walk {
   /// are sorted without a branch, as their order cannot be guessed. The way from the mask to the next node is kept short: all else waits for it.
   template <bool kAny>
   HWY_INLINE std::uint32_t take(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered, Entry*& top) const {
-    const std::uint32_t first = node.first, nodes = node.nodes;
+    const std::uint32_t nodes = node.nodes;
+    const std::uint32_t first_node = node.first_node << 1, first_leaf = node.first_leaf << 1 | 1;
     const auto next = [&] {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(hits));
       hits &= hits - 1;
       return slot;
     };
-    const auto reference = [&](std::uint32_t slot) { return (first + slot) << 1 | static_cast<std::uint32_t>(slot >= nodes); };
+    const auto reference = [&](std::uint32_t slot) { return 2 * slot + (slot < nodes ? first_node : first_leaf); };
     const auto next_entry = [&] {
       const std::uint32_t slot = next();
       return Entry(entered[slot], reference(slot));
@@ -137,12 +138,17 @@ class Walk {
     return c.reference();
   }
 
-  HWY_INLINE const Bvh8Block& block(std::uint32_t reference) const { return tree_.blocks.data()[reference >> 1]; }
-
   HWY_INLINE void prefetch(Entry entry) const {
-    const char* at = reinterpret_cast<const char*>(&block(entry.reference()));
+    const std::uint32_t index = entry.reference() >> 1;
+    const char* const node = reinterpret_cast<const char*>(tree_.nodes.data() + index);
+    const char* const leaf = reinterpret_cast<const char*>(tree_.leaves.data() + index);
+    const bool is_leaf = (entry.reference() & 1) != 0;
+    const char* const at = is_leaf ? leaf : node;
     __builtin_prefetch(at);
     __builtin_prefetch(at + 64);
+    if (is_leaf) return;
+    __builtin_prefetch(at + 128);
+    __builtin_prefetch(at + 192);
   }
 
   /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges.
@@ -212,7 +218,7 @@ HWY_EXPORT(any);
 namespace {
 
 bool prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
-  if (searched.tree.blocks.size() == 0 ||
+  if (searched.tree.nodes.size() == 0 ||
       make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter) == FilterRay::Fate::misses)
     return false;
   filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));

@@ -40,9 +40,6 @@ struct Float4 {
 };
 HWY_INLINE Float4 load4(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
 HWY_INLINE Float4 all4(float value) { return {{value, value, value, value}}; }
-HWY_INLINE Float4 from_shorts4(const std::uint16_t* p) {
-  return Float4::each([&](std::size_t i) { return static_cast<float>(p[i]); });
-}
 HWY_INLINE void store4(Float4 p, float* to) {
   for (std::size_t i = 0; i < 4; ++i) to[i] = p.v[i];
 }
@@ -85,11 +82,6 @@ HWY_INLINE hn::Vec<hn::FixedTag<std::int32_t, 8>> words8(const std::uint8_t* p) 
   const hn::FixedTag<std::int32_t, 8> words;
   return hn::PromoteTo(words, hn::LoadU(bytes, p));
 }
-HWY_INLINE Float8 from_shorts(const std::uint16_t* p) {
-  const hn::FixedTag<std::uint16_t, 8> shorts;
-  const hn::FixedTag<std::int32_t, 8> words;
-  return hn::ConvertTo(Eight(), hn::PromoteTo(words, hn::LoadU(shorts, p)));
-}
 HWY_INLINE Lanes8 lanes_from(const std::uint8_t* p) { return hn::IndicesFromVec(Eight(), words8(p)); }
 HWY_INLINE Float8 taken(Float8 v, Lanes8 lanes) { return hn::TableLookupLanes(v, lanes); }
 HWY_INLINE void store8(Float8 v, float* p) { hn::StoreU(v, Eight(), p); }
@@ -107,11 +99,6 @@ HWY_INLINE Float8 negative(Float8 a) { return hn::Neg(a); }
 
 #if HWY_TARGET != HWY_SCALAR
 HWY_INLINE Float4 all4(float value) { return hn::Set(Four(), value); }
-HWY_INLINE Float4 from_shorts4(const std::uint16_t* p) {
-  const hn::FixedTag<std::uint16_t, 4> shorts;
-  const hn::FixedTag<std::int32_t, 4> words;
-  return hn::ConvertTo(Four(), hn::PromoteTo(words, hn::LoadU(shorts, p)));
-}
 HWY_INLINE void store4(Float4 p, float* to) { hn::StoreU(p, Four(), to); }
 HWY_INLINE std::uint32_t at_most4(Float4 p, Float4 q) {
   std::uint8_t bits = 0;
@@ -135,7 +122,6 @@ using Lanes8 = const std::uint8_t*;
 
 HWY_INLINE Float8 load8(const float* p) { return {load4(p), load4(p + 4)}; }
 HWY_INLINE Float8 all8(float value) { return {all4(value), all4(value)}; }
-HWY_INLINE Float8 from_shorts(const std::uint16_t* p) { return {from_shorts4(p), from_shorts4(p + 4)}; }
 HWY_INLINE Lanes8 lanes_from(const std::uint8_t* p) { return p; }
 HWY_INLINE void store8(Float8 v, float* p) {
   store4(v.a, p);

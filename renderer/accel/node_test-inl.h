@@ -37,20 +37,17 @@ class NodeTest {
 
   class Axis {
    public:
-    HWY_INLINE Axis(const FilterRay& ray, std::size_t axis)
-        : near_origin_(all8(ray.near_origin[axis])), far_origin_(all8(ray.far_origin[axis])),
-          reciprocal_(all8(-ray.reciprocal[axis])), near_row_(ray.near_row[axis]) {}
+    HWY_INLINE Axis(const FilterRay& ray, int axis)
+        : reciprocal_(all8(ray.reciprocal[axis])), near_origin_(all8(ray.near_origin[axis] * ray.reciprocal[axis])),
+          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])), near_(ray.near_row[static_cast<std::size_t>(axis)]) {}
     HWY_INLINE Sides sides(const Bvh8Node& node, std::size_t axis) const {
-      const Float8 origin = all8(node.origin[axis]);
-      const Float8 slope = all8(node.step[axis]) * reciprocal_;
-      const auto* rows = node.steps[axis].data();
-      return {(near_origin_ - origin) * reciprocal_ - from_shorts(rows[near_row_].data()) * slope,
-              (far_origin_ - origin) * reciprocal_ - from_shorts(rows[1 - near_row_].data()) * slope};
+      const auto* rows = node.sides[axis].data();
+      return {load8(rows[near_].data()) * reciprocal_ - near_origin_, load8(rows[1 - near_].data()) * reciprocal_ - far_origin_};
     }
 
    private:
-    Float8 near_origin_, far_origin_, reciprocal_;
-    std::size_t near_row_;
+    Float8 reciprocal_, near_origin_, far_origin_;
+    std::size_t near_;
   };
 
   Axis x_, y_, z_;

@@ -21,6 +21,6 @@ bool Bvh8::any(const PlacedRay& ray, TraceCounters& counters) const {
   return any_in_bvh8({tree_, *mesh_, largest_coordinate_}, ray, counters);
 }
 
-std::size_t Bvh8::bytes() const { return tree_.nodes.bytes() + tree_.leaves.bytes() + tree_.triangles.bytes(); }
+std::size_t Bvh8::bytes() const { return tree_.lines.bytes() + tree_.triangles.bytes(); }
 
 }  // namespace plumb

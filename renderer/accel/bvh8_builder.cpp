@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cmath>
 #include <future>
+#include <limits>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -95,33 +97,39 @@ class Gatherer {
       : mesh_(mesh), vertices_(vertices), boxes_(boxes), binary_(binary), tree_(tree), helpers_(threads - 1) {}
 
   void gather() {
-    tree_.nodes = MappedArray<Bvh8Node>(binary_.size());
-    tree_.leaves = MappedArray<Bvh8Leaf>(binary_.size());
+    tree_.lines = MappedArray<CacheLine>(kNodeLines * binary_.size());
     tree_.triangles = MappedArray<std::uint32_t>(boxes_.size());
     gather_node(0, 0);
-    tree_.nodes.shrink(nodes_);
-    tree_.leaves.shrink(leaves_);
+    tree_.lines.shrink(lines_);
   }
 
  private:
+  static constexpr std::uint32_t kNodeLines = sizeof(Bvh8Node) / sizeof(CacheLine);
+  static constexpr std::uint32_t kLeafLines = sizeof(Bvh8Leaf) / sizeof(CacheLine);
+
   struct Children {
     std::array<std::uint32_t, 8> items;
     std::uint32_t count = 0, nodes = 0;
   };
 
-  void gather_node(std::uint32_t index, std::uint32_t root) {
+  template <class T>
+  T& make_at(std::uint32_t line) {
+    return *new (&tree_.lines[line]) T;
+  }
+
+  void gather_node(std::uint32_t line, std::uint32_t root) {
     const Children children = children_of(root);
-    Bvh8Node& node = tree_.nodes[index];
-    const std::uint32_t first_node = nodes_.fetch_add(children.nodes);
-    const std::uint32_t first_leaf = leaves_.fetch_add(children.count - children.nodes) - children.nodes;
-    node.first_node = first_node;
-    node.first_leaf = first_leaf;
-    node.nodes = static_cast<std::uint8_t>(children.nodes);
-    node.present = static_cast<std::uint8_t>((1U << children.count) - 1);
+    Bvh8Node& node = make_at<Bvh8Node>(line);
+    std::uint32_t next = lines_.fetch_add(kNodeLines * children.nodes + kLeafLines * (children.count - children.nodes));
+    node.child.fill(0);
+    for (std::uint32_t i = 0; i < children.count; ++i) {
+      const bool is_leaf = i >= children.nodes;
+      node.child[i] = next << 1 | static_cast<std::uint32_t>(is_leaf);
+      if (is_leaf) fill_leaf(make_at<Bvh8Leaf>(next), binary_[children.items[i]]);
+      next += is_leaf ? kLeafLines : kNodeLines;
+    }
     set_boxes(node, children);
-    for (std::uint32_t i = children.nodes; i < children.count; ++i)
-      fill_leaf(tree_.leaves[first_leaf + i], binary_[children.items[i]]);
-    for (std::uint32_t i = 0; i < children.nodes; ++i) gather_node(first_node + i, children.items[i]);
+    for (std::uint32_t i = 0; i < children.nodes; ++i) gather_node(node.child[i] >> 1, children.items[i]);
   }
 
   /// The root's children, of which the largest is replaced by its own again and again; nodes first.
@@ -156,11 +164,12 @@ class Gatherer {
   }
 
   void set_boxes(Bvh8Node& node, const Children& children) const {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     for (std::uint32_t i = 0; i < 8; ++i) {
-      const FloatBox& box = binary_[children.items[std::min(i, children.count - 1)]].box;
       for (int axis = 0; axis < 3; ++axis) {
-        node.sides[static_cast<std::size_t>(axis)][0][i] = box.low[axis];
-        node.sides[static_cast<std::size_t>(axis)][1][i] = box.high[axis];
+        auto& [low, high] = node.sides[static_cast<std::size_t>(axis)];
+        low[i] = i < children.count ? binary_[children.items[i]].box.low[axis] : kInfinity;
+        high[i] = i < children.count ? binary_[children.items[i]].box.high[axis] : -kInfinity;
       }
     }
   }
@@ -194,7 +203,7 @@ class Gatherer {
   std::span<const TriangleBox> boxes_;
   std::span<const BinaryNode> binary_;
   Bvh8Tree& tree_;
-  std::atomic<std::uint32_t> nodes_ = 1, leaves_ = 0;
+  std::atomic<std::uint32_t> lines_ = kNodeLines;
   std::atomic<int> helpers_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "renderer/accel/mapped_array.h"
@@ -8,16 +9,14 @@
 
 namespace plumb {
 
-/// Up to eight boxes: four cache lines, of which the first three hold the sides, by axis and then low and high.
+/// Where a node or leaf begins in Bvh8Tree::lines, in cache lines, times two, and one more if it is a leaf.
+using Bvh8Reference = std::uint32_t;
+
+/// Up to eight boxes: four cache lines, of which the first three hold the sides, by axis and then low and high. A box that is not there is
+/// empty, its low sides infinite and its high ones minus infinity.
 struct alignas(64) Bvh8Node {
   std::array<std::array<std::array<float, 8>, 2>, 3> sides;
-  /// The number of the first child among the nodes, and among the leaves where child 0 would be if all were leaves. The children that are
-  /// nodes come first; both kinds lie side by side.
-  std::uint32_t first_node;
-  std::uint32_t first_leaf;
-  std::uint8_t nodes;
-  /// A bit for each child that there is.
-  std::uint8_t present;
+  std::array<Bvh8Reference, 8> child;
 };
 static_assert(sizeof(Bvh8Node) == 256);
 
@@ -44,16 +43,22 @@ struct FilterFrame {
   double vertex_error = 0;
   /// Of a ray that is exact in floats: what its boxes are widened by, and the bounds of FilterRay.
   float margin = 0, weight_error = 0, weight_error_constant = 0;
+  /// No coordinate of an origin that counts as near is larger.
+  float near = 0;
+  bool is_identity = true;
 
   Point3 operator()(const Point3& p) const {
     return {(p.x - center.x) * factor, (p.y - center.y) * factor, (p.z - center.z) * factor};
   }
 };
 
-/// A hierarchy as it is walked. Node 0 is the root; empty if there is none.
+struct alignas(64) CacheLine {
+  std::array<std::byte, 64> bytes;
+};
+
+/// A hierarchy as it is walked. The root is a node, at the first line; empty if there is none.
 struct Bvh8Tree {
-  MappedArray<Bvh8Node> nodes;
-  MappedArray<Bvh8Leaf> leaves;
+  MappedArray<CacheLine> lines;
   /// The mesh's number of each triangle of each leaf; a triangle may occur in several leaves.
   MappedArray<std::uint32_t> triangles;
   FilterFrame frame;

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <new>
 #include <optional>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3  // SSE4 and the scalar baseline are enough below AVX2
@@ -24,7 +25,7 @@ class Entry {
  public:
   Entry() = default;
   HWY_INLINE Entry(float t, std::uint32_t reference)
-      : bits_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(t) & 0x7fffffff) << 32 | reference) {}  // -0 is 0
+      : bits_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(t)) << 32 | reference) {}
   HWY_INLINE float t() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
   HWY_INLINE std::uint32_t reference() const { return static_cast<std::uint32_t>(bits_); }
   /// The farther one first, without a branch that would have to be guessed.
@@ -43,7 +44,7 @@ class Entry {
 class Walk {
  public:
   HWY_INLINE Walk(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter)
-      : searched_(searched), tree_(searched.tree), ray_(ray), filter_(filter), node_test_(filter) {}
+      : searched_(searched), tree_(searched.tree), base_(reinterpret_cast<const char*>(tree_.lines.data())), ray_(ray), filter_(filter), node_test_(filter) {}
 
   /// Ends at the first hit with kAny, and tells whether there was one.
   template <bool kAny>
@@ -54,7 +55,7 @@ class Walk {
     for (;;) {
       if ((reference & 1) == 0) {
         ++counters.node_visits;
-        const Bvh8Node& node = tree_.nodes.data()[reference >> 1];
+        const Bvh8Node& node = *std::launder(reinterpret_cast<const Bvh8Node*>(at(reference)));
         alignas(32) std::array<float, 8> entered;
         const std::uint32_t hits = node_test_(node, entered.data());
         if (hits != 0) {
@@ -62,7 +63,7 @@ class Walk {
           continue;
         }
       } else {
-        const Bvh8Leaf& leaf = tree_.leaves.data()[reference >> 1];
+        const Bvh8Leaf& leaf = *std::launder(reinterpret_cast<const Bvh8Leaf*>(at(reference) - kHalfLine));
         counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
         std::uint32_t candidates = test_leaf(leaf);
         if (candidates != 0) {
@@ -99,19 +100,16 @@ class Walk {
   /// are sorted without a branch, as their order cannot be guessed. The way from the mask to the next node is kept short: all else waits for it.
   template <bool kAny>
   HWY_INLINE std::uint32_t take(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered, Entry*& top) const {
-    const std::uint32_t nodes = node.nodes;
-    const std::uint32_t first_node = node.first_node << 1, first_leaf = node.first_leaf << 1 | 1;
     const auto next = [&] {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(hits));
       hits &= hits - 1;
       return slot;
     };
-    const auto reference = [&](std::uint32_t slot) { return 2 * slot + (slot < nodes ? first_node : first_leaf); };
     const auto next_entry = [&] {
       const std::uint32_t slot = next();
-      return Entry(entered[slot], reference(slot));
+      return Entry(entered[slot], node.child[slot]);
     };
-    if ((hits & (hits - 1)) == 0) return reference(next());
+    if ((hits & (hits - 1)) == 0) return node.child[next()];
     Entry a = next_entry(), b = next_entry();
     Entry::sort(a, b);
     prefetch(a);
@@ -138,17 +136,13 @@ class Walk {
     return c.reference();
   }
 
+  /// Half a line per reference: of a leaf half a line too far, which is subtracted where it matters.
+  HWY_INLINE const char* at(std::uint32_t reference) const { return base_ + kHalfLine * static_cast<std::size_t>(reference); }
+  static constexpr std::size_t kHalfLine = sizeof(CacheLine) / 2;
+
   HWY_INLINE void prefetch(Entry entry) const {
-    const std::uint32_t index = entry.reference() >> 1;
-    const char* const node = reinterpret_cast<const char*>(tree_.nodes.data() + index);
-    const char* const leaf = reinterpret_cast<const char*>(tree_.leaves.data() + index);
-    const bool is_leaf = (entry.reference() & 1) != 0;
-    const char* const at = is_leaf ? leaf : node;
-    __builtin_prefetch(at);
-    __builtin_prefetch(at + 64);
-    if (is_leaf) return;
-    __builtin_prefetch(at + 128);
-    __builtin_prefetch(at + 192);
+    __builtin_prefetch(at(entry.reference()));
+    __builtin_prefetch(at(entry.reference()) + sizeof(CacheLine));
   }
 
   /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges.
@@ -187,6 +181,7 @@ class Walk {
 
   const SearchedMesh& searched_;
   const Bvh8Tree& tree_;
+  const char* base_;
   const PlacedRay& ray_;
   const FilterRay& filter_;
   NodeTest node_test_;
@@ -218,7 +213,7 @@ HWY_EXPORT(any);
 namespace {
 
 bool prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
-  if (searched.tree.nodes.size() == 0 ||
+  if (searched.tree.lines.size() == 0 ||
       make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter) == FilterRay::Fate::misses)
     return false;
   filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));

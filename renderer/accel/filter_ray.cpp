@@ -8,6 +8,7 @@
 namespace plumb {
 namespace {
 
+constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr double kU = 0x1p-24;  // the largest relative rounding of a float
 /// Rays from farther away than 4 reaches are moved near first, to within 1.1: no vertex is farther than this from an origin, on an axis, in reaches.
 constexpr double kFarthest = 5.001;
@@ -94,28 +95,27 @@ void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, doub
   margin = static_cast<float>(moved + slant * reach * 1.01 + 8.5 * kU * reach);
 }
 
-/// Everything but the range, of a ray that is near the mesh and of moderate length.
-void set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
-  const BoxSide o{static_cast<float>(ray.origin.x), static_cast<float>(ray.origin.y), static_cast<float>(ray.origin.z), 0};
-  const BoxSide d{static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y), static_cast<float>(ray.direction.z), 0};
+/// Whether a double is a float, but for its exponent.
+std::uint64_t digits_past_float(double value) { return std::bit_cast<std::uint64_t>(value) & 0x1fffffff; }
+
+struct FloatLine {
+  BoxSide origin, direction;
+};
+
+FloatLine in_floats(const Point3& o, const Vec3& d) {
+  return {BoxSide{static_cast<float>(o.x), static_cast<float>(o.y), static_cast<float>(o.z), 0},
+          BoxSide{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), 0}};
+}
+
+/// Everything but the range, of a ray that is near the mesh and of moderate length. `along` is the direction's largest coordinate.
+void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin) {
+  const auto& [o, d] = line;
   const BoxSide sizes = size_of(d);
-  const float along = largest(sizes);
-  const auto off = [](const auto& exact, BoxSide rounded) {
-    return std::max(std::fabs(exact.x - static_cast<double>(rounded[0])),
-                    std::max(std::fabs(exact.y - static_cast<double>(rounded[1])), std::fabs(exact.z - static_cast<double>(rounded[2]))));
-  };
-  const double offset = ray.error.origin + off(ray.origin, o), slant = ray.error.direction + off(ray.direction, d);
-  float margin = frame.margin;
-  filter.weight_error = frame.weight_error;
-  filter.weight_error_constant = frame.weight_error_constant;
-  if (offset + slant > 0) set_errors(filter, frame, offset, slant / static_cast<double>(along), margin);
-
+  const BoxSide wider = with_signs(all(margin), d);
   filter.reciprocal = 1 / with_signs(higher_of(sizes, all(0x1p-36F * along)), d);
-  filter.near_origin = o + with_signs(all(margin), d);
-  filter.far_origin = o - with_signs(all(margin), d);
-  const Bits rows = std::bit_cast<Bits>(d) >> 31 & 1;
-  for (int axis = 0; axis < 3; ++axis) filter.near_row[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(rows[axis]);
-
+  filter.near_origin = o + wider;
+  filter.far_origin = o - wider;
+  filter.near_row = std::bit_cast<Bits>(d) >> 31 & 1;
   const std::size_t longest = kLongest[static_cast<std::size_t>(sizes[0] > sizes[1]) | static_cast<std::size_t>(sizes[0] > sizes[2]) << 1 |
                                        static_cast<std::size_t>(sizes[1] > sizes[2]) << 2];
   const auto [kx, ky, kz, unused] = kAxes[longest];
@@ -123,6 +123,20 @@ void set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame)
   filter.origin = {o[kx], o[ky], o[kz]};
   filter.shear_x = d[kx] * filter.reciprocal[kz];
   filter.shear_y = d[ky] * filter.reciprocal[kz];
+}
+
+/// The same of a ray in doubles, with the errors of rounding it and those that it has already.
+void set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
+  const FloatLine line = in_floats(ray.origin, ray.direction);
+  const auto off = [](const auto& exact, BoxSide rounded) {
+    return std::max(std::fabs(exact.x - static_cast<double>(rounded[0])),
+                    std::max(std::fabs(exact.y - static_cast<double>(rounded[1])), std::fabs(exact.z - static_cast<double>(rounded[2]))));
+  };
+  const float along = largest(size_of(line.direction));
+  const double offset = ray.error.origin + off(ray.origin, line.origin), slant = ray.error.direction + off(ray.direction, line.direction);
+  float margin = 0;
+  set_errors(filter, frame, offset, slant / static_cast<double>(along), margin);
+  set_lines(filter, line, along, margin);
 }
 
 /// A ray of any size, or from far away.
@@ -151,6 +165,8 @@ FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const Filt
 }  // namespace
 
 void set_filter_errors(FilterFrame& frame) {
+  frame.near = static_cast<float>(3.99 * frame.reach);
+  frame.is_identity = frame.factor == 1 && frame.center == Point3{};
   FilterRay none;
   set_errors(none, frame, 0, 0, frame.margin);
   frame.weight_error = none.weight_error;
@@ -158,18 +174,30 @@ void set_filter_errors(FilterFrame& frame) {
 }
 
 FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
-  FrameRay moved{frame(ray.origin), ray.direction, {error.origin * frame.factor, error.direction}, ray.t_min, ray.t_max};
-  const double length = largest(ray.direction);
-  const bool is_near = std::fabs(moved.origin.x) <= 4 * frame.reach && std::fabs(moved.origin.y) <= 4 * frame.reach &&
-                       std::fabs(moved.origin.z) <= 4 * frame.reach;
-  // NaN fails a comparison, or makes the sum one.
-  if (!(is_near && length > 0x1p-30 && ray.direction.x + ray.direction.y + ray.direction.z < 0x1p30 && length < 0x1p30 && ray.t_min >= 0 && ray.t_min <= ray.t_max)) return make_from_afar(ray, error, frame, filter);
-  if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(moved.origin);
+  const Point3 origin = frame.is_identity ? ray.origin : frame(ray.origin);
+  const Vec3& direction = ray.direction;
+  const FloatLine line = in_floats(origin, direction);
+  const float along = largest(size_of(line.direction));
+  const BoxSide sum = line.origin + line.direction;  // NaN or infinite where one of them is
+  // What is false of NaN comes first.
+  if (!(along > 0x1p-30F && along < 0x1p30F && largest(size_of(line.origin)) <= frame.near && std::fabs(sum[0] + sum[1] + sum[2]) < kLargest &&
+        ray.t_min >= 0 && ray.t_min <= ray.t_max))
+    return make_from_afar(ray, error, frame, filter);
   filter.t_factor = frame.factor;
   filter.t_start = 0;
-  set_lines(filter, moved, frame);
   filter.t_min = wide_start(ray.t_min * frame.factor);
   filter.t_max = wide_end(ray.t_max * frame.factor);
+  const std::uint64_t digits = digits_past_float(origin.x) | digits_past_float(origin.y) | digits_past_float(origin.z) |
+                               digits_past_float(direction.x) | digits_past_float(direction.y) | digits_past_float(direction.z);
+  if (digits == 0 && error.origin + error.direction == 0 && frame.is_identity) {
+    filter.weight_error = frame.weight_error;
+    filter.weight_error_constant = frame.weight_error_constant;
+    set_lines(filter, line, along, frame.margin);
+  } else {
+    FrameRay moved{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
+    if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(origin);
+    set_lines(filter, moved, frame);
+  }
   return FilterRay::Fate::walk;
 }
 

@@ -21,8 +21,8 @@ struct FilterRay {
   BoxSide near_origin, far_origin, reciprocal;
   /// The direction's longest axis, and the two others.
   std::array<std::uint8_t, 3> axis;  // kx, ky, kz
-  /// Per axis of space: which row of Bvh8Node::steps holds the near planes.
-  std::array<std::uint8_t, 3> near_row;
+  /// Per axis of space: which row of Bvh8Node::sides holds the near ones.
+  std::int32_t __attribute__((vector_size(16))) near_row;
   /// The origin by `axis`, and the shear.
   std::array<float, 3> origin;
   float shear_x, shear_y;

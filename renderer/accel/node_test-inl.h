@@ -24,10 +24,11 @@ class NodeTest {
   /// A bit for each child whose box the ray may meet, and where it does so at the earliest, eight numbers.
   HWY_INLINE std::uint32_t operator()(const Bvh8Node& node, float* entered) const {
     const Sides x = x_.sides(node, 0), y = y_.sides(node, 1), z = z_.sides(node, 2);
-    const Float8 near = high(high(x.near, y.near), high(z.near, t_min_));
+    // An equal second operand is the one that is taken, so that 0 is not -0.
+    const Float8 near = high(high(high(x.near, y.near), z.near), t_min_);
     const Float8 far = low(low(x.far, y.far), low(z.far, t_max_));
     store8(near, entered);
-    return at_most(near, far) & node.present;
+    return at_most(near, far);
   }
 
  private:
@@ -39,7 +40,7 @@ class NodeTest {
    public:
     HWY_INLINE Axis(const FilterRay& ray, int axis)
         : reciprocal_(all8(ray.reciprocal[axis])), near_origin_(all8(ray.near_origin[axis] * ray.reciprocal[axis])),
-          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])), near_(ray.near_row[static_cast<std::size_t>(axis)]) {}
+          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])), near_(static_cast<std::size_t>(ray.near_row[axis])) {}
     HWY_INLINE Sides sides(const Bvh8Node& node, std::size_t axis) const {
       const auto* rows = node.sides[axis].data();
       return {load8(rows[near_].data()) * reciprocal_ - near_origin_, load8(rows[1 - near_].data()) * reciprocal_ - far_origin_};

@@ -11,14 +11,15 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+double largest(const Vec3& v) { return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z))); }
 
 /// By which side of each edge the ray passes.
 enum class Side { misses, hits, unsure };
 
 template <class Real>
 Side side_of(const std::array<Real, 3>& weights, Real error) {
-  const auto [low, high] = std::minmax({weights[0], weights[1], weights[2]});
+  const Real low = std::min(weights[0], std::min(weights[1], weights[2]));
+  const Real high = std::max(weights[0], std::max(weights[1], weights[2]));
   if (low < -error && high > error) return Side::misses;
   return low > error || high < -error ? Side::hits : Side::unsure;
 }
@@ -108,7 +109,7 @@ std::optional<TriangleMeeting> meet_closely(const ShearedRay& sheared, const std
                                to_a[2] * (edge_b[0] * edge_c[1] - edge_b[1] * edge_c[0]);
   // Six terms, each with at most eight roundings of 2^-64 on its way: 48 2^-64 of the sizes' product.
   const long double size = static_cast<long double>(largest(b - a)) * largest(c - a);
-  const long double facing_error = 0x1p-58L * size * std::fabs(ray.direction[sheared.kz]);
+  const long double facing_error = 0x1p-58L * size * std::fabs(coordinate(ray.direction, sheared.kz));
   const long double distance_error = 0x1p-58L * size * largest(a - ray.origin);
   const bool is_steep = std::fabs(facing) > 0x1p17L * facing_error;
   const bool starts_on_it = std::fabs(distance) < distance_error &&
@@ -134,29 +135,36 @@ ShearedRay::ShearedRay(const PlacedRay& placed)
   find_axes();
   if (!world_from_object) return;
   // The shear is a quotient of at most 1, so it moves by less than 2 e / (|d_z| - e), with e the direction's error.
-  const double along = std::fabs(ray.direction[kz]);
+  const double along = std::fabs(coordinate(ray.direction, kz));
   drift = 2.5 * origin_error;
   drift_growth = direction_error <= 0x1p-12 * along ? 2.5 * direction_error / along : kInfinity;
 }
 
 void ShearedRay::find_axes() {
   const Vec3& d = ray.direction;
-  const Vec3 size{std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)};
-  kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-  kx = (kz + 1) % 3;
-  ky = (kz + 2) % 3;
-  shear_x = d[kx] / d[kz];
-  shear_y = d[ky] / d[kz];
-  origin_x = ray.origin[kx];
-  origin_y = ray.origin[ky];
-  origin_z = ray.origin[kz];
+  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  // By which of x > y, x > z and y > z hold, as bits from the lowest: which is the largest cannot be guessed.
+  static constexpr std::array<std::int8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 2, 0};
+  static constexpr std::array<std::int8_t, 5> kCircle{0, 1, 2, 0, 1};
+  const auto longest = static_cast<std::size_t>(kLongest[static_cast<std::size_t>(x > y) |
+                                                         static_cast<std::size_t>(x > z) << 1 |
+                                                         static_cast<std::size_t>(y > z) << 2]);
+  kx = kCircle[longest + 1];
+  ky = kCircle[longest + 2];
+  kz = kCircle[longest];
+  const double along = coordinate(d, kz);
+  shear_x = coordinate(d, kx) / along;
+  shear_y = coordinate(d, ky) / along;
+  origin_x = coordinate(ray.origin, kx);
+  origin_y = coordinate(ray.origin, ky);
+  origin_z = coordinate(ray.origin, kz);
 }
 
 std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Point3& a,
                                     const Point3& b, const Point3& c) {
   const Ray& ray = sheared.ray;
   const double m = triangle.largest();
-  if (!is_ordinary(m) || !is_ordinary(std::fabs(ray.direction[sheared.kz]))) [[unlikely]]
+  if (!is_ordinary(m) || !is_ordinary(std::fabs(coordinate(ray.direction, sheared.kz)))) [[unlikely]]
     return meet_in_its_own_units(sheared, m, a, b, c);
   const auto& [pa, pb, pc] = triangle.plane;
   std::array<double, 3> weights = triangle.weights;
@@ -173,9 +181,9 @@ std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTria
     // The errors of a placed ray are those of doubles at least.
     if (is_placed) return exactly_meet(sheared, a, b, c);
     // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
-    const double edge = std::max({largest(b - a), largest(c - b), largest(a - c)});
+    const double edge = std::max(largest(b - a), std::max(largest(c - b), largest(a - c)));
     const auto wide = wide_weights(ray, a, b, c);
-    side = side_of(wide, 0x1p-58L * std::fabs(ray.direction[sheared.kz]) * m * edge);
+    side = side_of(wide, 0x1p-58L * std::fabs(coordinate(ray.direction, sheared.kz)) * m * edge);
     for (std::size_t i = 0; i < 3; ++i) weights[i] = static_cast<double>(wide[i]);
   }
   if (side == Side::misses) return std::nullopt;
@@ -190,7 +198,7 @@ std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTria
   // The normal is off by 8u of the edges' product. Where the plane is steep, the hit is then within some 2^-42 of the
   // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
   const double size = largest(edge_b) * largest(edge_c);
-  const double along = std::fabs(ray.direction[sheared.kz]);
+  const double along = std::fabs(coordinate(ray.direction, sheared.kz));
   const bool is_steep = std::fabs(facing) > 0x1p-6 * size * along;
   const double distance_error = 0x1p-47 * size * largest(to_a) + 8 * size * sheared.origin_error;
   const bool starts_on_it =

@@ -15,6 +15,16 @@
 
 namespace plumb {
 
+/// v[axis], read from its place in memory: no comparisons of the axis.
+template <class Triple>
+double coordinate(const Triple& v, int axis) {
+  static_assert(sizeof(Triple) == 3 * sizeof(double));
+  double value;
+  std::memcpy(&value, reinterpret_cast<const std::byte*>(&v) + sizeof(double) * static_cast<std::size_t>(axis),
+              sizeof value);
+  return value;
+}
+
 /// A ray with the shear that takes its direction to an axis: what does not depend on the triangle. It refers to the
 /// ray, whose range may shrink meanwhile where it is in world space.
 struct ShearedRay {
@@ -102,15 +112,6 @@ struct ShearedTriangle {
 
  private:
   static double cross(const PlanePoint& p, const PlanePoint& q) { return p.x * q.y - p.y * q.x; }
-
-  /// p[axis], read from its place in memory: no comparisons of the axis.
-  static double coordinate(const Point3& p, int axis) {
-    static_assert(sizeof(Point3) == 3 * sizeof(double));
-    double value;
-    std::memcpy(&value, reinterpret_cast<const std::byte*>(&p) + sizeof(double) * static_cast<std::size_t>(axis),
-                sizeof value);
-    return value;
-  }
 
   static std::array<double, 3> difference(const ShearedRay& ray, const Point3& p) {
     return {coordinate(p, ray.kx) - ray.origin_x, coordinate(p, ray.ky) - ray.origin_y,

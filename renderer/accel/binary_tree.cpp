@@ -82,6 +82,8 @@ class BinaryBuilder {
         count_vertices(mesh_, boxes_.subspan(range.begin, range.count()), kLeafVertices) <= kLeafVertices) {
       node.first = range.begin;
       node.count = range.count();
+      node.cost.fill(0);
+      node.split.fill(0);
       return;
     }
     const auto [left, right] = split(range, depth);
@@ -97,6 +99,31 @@ class BinaryBuilder {
       if (std::min(left.count(), right.count()) >= kWorthAThread) helpers_.fetch_add(1);
       build_node(first, left, depth + 1);
       build_node(first + 1, right, depth + 1);
+    }
+    set_costs(node, nodes_[first], nodes_[first + 1]);
+  }
+
+  static void set_costs(BinaryNode& node, const BinaryNode& left, const BinaryNode& right) {
+    for (std::size_t room = 2; room <= 8; ++room) {
+      float least = std::numeric_limits<float>::infinity();
+      std::size_t split = 1;
+      for (std::size_t on_left = 1; on_left < room; ++on_left) {
+        const float cost = left.cost[on_left - 1] + right.cost[room - on_left - 1];
+        if (cost < least) {
+          least = cost;
+          split = on_left;
+        }
+      }
+      node.cost[room - 1] = least;
+      node.split[room - 1] = static_cast<std::uint8_t>(split);
+    }
+    // As a wide node of its own.
+    node.cost[0] = node.box.half_area() + node.cost[7];
+    node.split[0] = 0;
+    for (std::size_t room = 2; room <= 7; ++room) {
+      if (node.cost[0] > node.cost[room - 1]) continue;
+      node.cost[room - 1] = node.cost[0];
+      node.split[room - 1] = 0;
     }
   }
 

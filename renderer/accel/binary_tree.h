@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -24,6 +25,11 @@ struct BinaryNode {
   FloatBox box;
   std::uint32_t first;
   std::uint32_t count;  // 0: has children
+  /// The least areas that the wide nodes below take together, if this node's subtree may fill n children of a wide node above it: cost[n - 1],
+  /// for 1 to 8, where the last is of its own children without itself [Ylitie 2017].
+  std::array<float, 8> cost;
+  /// How many of n children the first child fills then, at n - 1; 0: the node is one child, whatever there is room for.
+  std::array<std::uint8_t, 8> split;
 };
 
 /// What a leaf may hold.

@@ -132,35 +132,30 @@ class Gatherer {
     for (std::uint32_t i = 0; i < children.nodes; ++i) gather_node(node.child[i] >> 1, children.items[i]);
   }
 
-  /// The root's children, of which the largest is replaced by its own again and again; nodes first.
+  /// The children of a wide node, nodes first.
   Children children_of(std::uint32_t root) const {
     Children children;
     if (binary_[root].count > 0) {  // a mesh that is one leaf
-      children.items[0] = root;
-      children.count = 1;
+      children.items[children.count++] = root;
       return children;
     }
-    children.items = {binary_[root].first, binary_[root].first + 1};
-    children.count = 2;
-    while (children.count < 8) {
-      float largest = -1;
-      std::uint32_t opened = 8;
-      for (std::uint32_t i = 0; i < children.count; ++i) {
-        const BinaryNode& child = binary_[children.items[i]];
-        if (child.count == 0 && child.box.half_area() > largest) {
-          largest = child.box.half_area();
-          opened = i;
-        }
-      }
-      if (opened == 8) break;
-      const std::uint32_t first = binary_[children.items[opened]].first;
-      children.items[opened] = first;
-      children.items[children.count++] = first + 1;
-    }
+    collect(root, 8, children);
     const auto leaves = std::stable_partition(children.items.begin(), children.items.begin() + children.count,
                                               [&](std::uint32_t i) { return binary_[i].count == 0; });
     children.nodes = static_cast<std::uint32_t>(leaves - children.items.begin());
     return children;
+  }
+
+  /// Adds the subtree as at most `room` children.
+  void collect(std::uint32_t from, std::uint32_t room, Children& children) const {
+    const BinaryNode& node = binary_[from];
+    const std::uint32_t split = node.split[room - 1];
+    if (split == 0) {
+      children.items[children.count++] = from;
+      return;
+    }
+    collect(node.first, split, children);
+    collect(node.first + 1, room - split, children);
   }
 
   void set_boxes(Bvh8Node& node, const Children& children) const {

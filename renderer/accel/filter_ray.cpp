@@ -174,7 +174,9 @@ void set_filter_errors(FilterFrame& frame) {
 }
 
 FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
-  const Point3 origin = frame.is_identity ? ray.origin : frame(ray.origin);
+  // By reference: a copy would load pairs of numbers that were stored one by one just before, which processors are slow at.
+  Point3 in_frame;
+  const Point3& origin = frame.is_identity ? ray.origin : (in_frame = frame(ray.origin));
   const Vec3& direction = ray.direction;
   const FloatLine line = in_floats(origin, direction);
   const float along = largest(size_of(line.direction));

@@ -53,50 +53,57 @@ double origin_margin(const std::vector<PlacedSurface>& placed) {
   return 2 * largest * SlabTest::kMargin;
 }
 
-/// Holds the nearest hit of several surfaces: by t, equal ones by the order of the surfaces. That of a triangle is the
-/// exact one, that of a solid the double that it reports. So the order is one of real numbers, in which nothing depends
-/// on what is found first.
+/// Holds the nearest hit of several surfaces. Triangles are ordered among each other by their exact t, solids by the
+/// double that they report, equal ones by the order of the surfaces; and the first triangle against the first solid by
+/// the exact t rounded to nearest, which is monotone. So nothing depends on what is found first.
 class ClosestSurface {
  public:
   ClosestSurface(const Ray& ray, const std::vector<PlacedSurface>& placed) : ray_(ray), placed_(placed) {}
 
   /// What lies strictly beyond is not nearer.
-  double nearest() const { return found_ ? found_->hit.t + found_->hit.t_error : Bounds3::kInfinity; }
-
-  void offer(const Scene::Hit& hit) {
-    if (!found_ || is_nearer(hit, *found_)) found_ = hit;
+  double nearest() const {
+    double t = Bounds3::kInfinity;
+    if (triangle_) t = triangle_->hit.t + triangle_->hit.t_error;
+    return solid_ ? std::min(t, solid_->hit.t) : t;
   }
 
-  const std::optional<Scene::Hit>& found() const { return found_; }
+  void offer(const Scene::Hit& hit) {
+    if (vertices(hit)) {
+      if (!triangle_ || is_nearer_triangle(hit, *triangle_)) triangle_ = hit;
+    } else if (!solid_ || hit.hit.t < solid_->hit.t || (hit.hit.t == solid_->hit.t && hit.placed < solid_->placed)) {
+      solid_ = hit;
+    }
+  }
+
+  std::optional<Scene::Hit> found() const {
+    if (!triangle_ || !solid_) return triangle_ ? triangle_ : solid_;
+    const double solid_t = solid_->hit.t, t = triangle_->hit.t, error = triangle_->hit.t_error;
+    if (t + error < solid_t) return triangle_;  // rounding is monotone, so what it leaves apart is apart
+    if (t - error > solid_t) return solid_;
+    const double nearest_t = exact(*triangle_).t();
+    return nearest_t < solid_t || (nearest_t == solid_t && triangle_->placed < solid_->placed) ? triangle_ : solid_;
+  }
 
  private:
-  bool is_nearer(const Scene::Hit& a, const Scene::Hit& b) const {
-    // Rounding is monotone, so what it leaves apart is apart.
+  bool is_nearer_triangle(const Scene::Hit& a, const Scene::Hit& b) const {
     if (a.hit.t + a.hit.t_error < b.hit.t - b.hit.t_error) return true;
     if (a.hit.t - a.hit.t_error > b.hit.t + b.hit.t_error) return false;
-    const int order = exact_order(a, b);
+    const int order = exact(a).compare_t(exact(b));
     return order < 0 || (order == 0 && a.placed < b.placed);
   }
 
-  int exact_order(const Scene::Hit& a, const Scene::Hit& b) const {
-    const std::optional<ExactTriangle> exact_a = exact(a), exact_b = exact(b);
-    if (exact_a && exact_b) return exact_a->compare_t(*exact_b);
-    if (exact_a) return exact_a->compare_t(b.hit.t);
-    if (exact_b) return -exact_b->compare_t(a.hit.t);
-    return a.hit.t < b.hit.t ? -1 : a.hit.t > b.hit.t ? 1 : 0;
+  std::optional<TriangleVertices> vertices(const Scene::Hit& hit) const {
+    return placed_[hit.placed].surface->triangle(hit.hit.part);
   }
 
-  std::optional<ExactTriangle> exact(const Scene::Hit& hit) const {
-    const PlacedSurface& placed = placed_[hit.placed];
-    const std::optional<TriangleVertices> vertices = placed.surface->triangle(hit.hit.part);
-    if (!vertices) return std::nullopt;
-    const Transform& transform = placed.world_from_object;
-    return ExactTriangle(ray_, transform.is_identity() ? nullptr : &transform, *vertices);
+  ExactTriangle exact(const Scene::Hit& hit) const {
+    const Transform& transform = placed_[hit.placed].world_from_object;
+    return {ray_, transform.is_identity() ? nullptr : &transform, vertices(hit).value()};
   }
 
   const Ray& ray_;
   const std::vector<PlacedSurface>& placed_;
-  std::optional<Scene::Hit> found_;
+  std::optional<Scene::Hit> triangle_, solid_;
 };
 
 }  // namespace

@@ -48,8 +48,8 @@ class Scene {
   };
 
   /// The hit with the smallest t in the ray's closed range; of equal ones the surface first in file order, then the
-  /// lowest part. For triangles range and order are those of the exact t of the ray as given; solids have the t that
-  /// they report. t is the ray's own parameter, whatever transforms lie between.
+  /// lowest part. For triangles range and order are those of the exact t of the ray as given, against solids rounded to
+  /// nearest; solids have the t that they report. t is the ray's own parameter, whatever transforms lie between.
   std::optional<Hit> closest_hit(const Ray& ray, TraceCounters& counters) const;
   /// Whether any surface lies within the ray's range.
   bool blocks(const Ray& ray, TraceCounters& counters) const;

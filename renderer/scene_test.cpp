@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "meshes/formats/write_msh.h"
 #include "renderer/scene_for_tests.h"
 
 namespace plumb {
@@ -90,6 +91,51 @@ std::string crowd(unsigned seed) {
     text += "</surface>";
   }
   return text;
+}
+
+/// One triangle at this height, in single precision.
+void write_triangle(const std::string& name, double z) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, z}, {1, 0, z}, {0, 1, z}};
+  mesh.triangles = {{0, 1, 2}};
+  write_msh(mesh, scene_test_file(name));
+}
+
+TEST(Scene, OfTrianglesWhoseTRoundsAlikeTheExactlyNearerOneIsHit) {
+  // From -2^40 the heights 1 and 1 + 2^-23 are at the same rounded t; whichever stands first in the file.
+  write_triangle("near.msh", 1);
+  write_triangle("far.msh", 1 + 0x1p-23);
+  const std::string near = "<surface type='Mesh'><data>near.msh</data></surface>";
+  const std::string far = "<surface type='Mesh'><data>far.msh</data></surface>";
+  const Ray ray{{0.25, 0.25, -0x1p40}, {0, 0, 3}};
+  int scenes = 0;
+  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+    for (const bool near_first : {true, false}) {
+      const ReadScene read =
+          scene_of(near_first ? near + far : far + near, {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
+      TraceCounters counters;
+      EXPECT_EQ(read.scene.closest_hit(ray, counters)->placed, near_first ? 0u : 1u);
+      ++scenes;
+    }
+  }
+  EXPECT_EQ(scenes, 4);
+}
+
+TEST(Scene, OfATriangleInTheFaceOfABoxTheFirstInTheFileIsHit) {
+  write_triangle("face.msh", 1);
+  const std::string mesh = "<surface type='Mesh'><data>face.msh</data></surface>";
+  const std::string box = "<surface type='Box'><minPt>0 0 1</minPt><maxPt>1 1 2</maxPt></surface>";
+  int rays = 0;
+  for (const bool mesh_first : {true, false}) {
+    const ReadScene read = scene_of(mesh_first ? mesh + box : box + mesh);
+    for (int i = 1; i < 200; ++i, ++rays) {
+      // The exact t is 3 / i, mostly no double; that of the box is rounded.
+      const Ray ray{{0.25, 0.25, -2}, {0, 0, static_cast<double>(i)}};
+      TraceCounters counters;
+      EXPECT_EQ(read.scene.closest_hit(ray, counters)->placed, 0u) << i;
+    }
+  }
+  EXPECT_EQ(rays, 398);
 }
 
 TEST(Scene, HierarchyFindsTheSameHitsAsLinearSearch) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "renderer/math/wide_integer.h"
+
 namespace plumb {
 
 /// A whole number times a power of two, held without rounding. Any polynomial of degree up to 11 in any finite doubles
@@ -15,6 +17,20 @@ class Dyadic {
   Dyadic() = default;
   /// This one double.
   Dyadic(double value);  // implicit, so that formulas read as formulas
+  /// integer 2^exponent; a double must hold that power.
+  template <std::size_t N>
+  Dyadic(const WideInteger<N>& integer, int exponent) {
+    WideInteger<N> size = integer;
+    sign_ = 1;
+    if (integer.negative()) {
+      sign_ = -1;
+      size = WideInteger<N>() - integer;
+    }
+    count_ = N;
+    std::copy_n(size.digits.begin(), N, digits_.begin());
+    trim();
+    if (exponent != 0) *this = *this * std::ldexp(1.0, exponent);
+  }
   Dyadic(const Dyadic& other) { *this = other; }
   Dyadic& operator=(const Dyadic& other);
 

@@ -11,7 +11,8 @@ namespace plumb {
 struct PlacedRay {
   /// For a surface without a transform: nothing is rounded.
   explicit PlacedRay(const Ray& ray) : world(&ray) {}
-  /// In a frame of its own. An identity changes nothing.
+  /// In a frame of its own. An identity changes nothing. The transform has been made of its matrix, so that its inverse
+  /// is near the exact one: not by inverse().
   PlacedRay(const Ray& world_ray, const Transform& transform);
 
   /// How far the rounded ray may pass, on any axis, from where the exact one is, at any t where that has no coordinate

@@ -20,13 +20,13 @@ bool ClosestTriangle::meets(const TriangleVertices& corners) const {
   const auto& [a, b, c] = corners;
   const ShearedTriangle sheared(ray_, a, b, c);
   if (sheared.is_missed(any_weight_error_)) return false;
-  const auto meeting = meet(ray_, sheared, a, b, c);
-  return meeting && t_in_range(ray_, *meeting, a, b, c);
+  TriangleMeeting meeting;
+  return meet(ray_, sheared, a, b, c, meeting) && t_in_range(ray_, meeting, a, b, c);
 }
 
 bool ClosestTriangle::is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle,
                                 const TriangleVertices& corners) const {
-  if (meeting.t + meeting.t_error < best_.t - best_.t_error) return true;  // rounding is monotone
+  if (meeting.t + meeting.t_error < best().t - best().t_error) return true;  // rounding is monotone
   const ExactTriangle candidate(ray_.world, ray_.world_from_object, corners);
   const int order = candidate.compare_t({ray_.world, ray_.world_from_object, vertices(best_triangle_)});
   return order < 0 || (order == 0 && triangle < best_triangle_);
@@ -35,22 +35,24 @@ bool ClosestTriangle::is_nearer(const TriangleMeeting& meeting, std::uint32_t tr
 void ClosestTriangle::consider(const std::uint32_t& triangle, const TriangleVertices& corners,
                                const ShearedTriangle& sheared) {
   const auto& [a, b, c] = corners;
-  std::optional<TriangleMeeting> meeting = meet(ray_, sheared, a, b, c);
-  if (!meeting || meeting->t - meeting->t_error > t_max_ || (found_ && triangle == best_triangle_)) return;
-  const std::optional<double> t = t_in_range(ray_, *meeting, a, b, c);
+  TriangleMeeting& meeting = meetings_[1 - best_];
+  if (!meet(ray_, sheared, a, b, c, meeting) || meeting.t - meeting.t_error > t_max_ ||
+      (found_ && triangle == best_triangle_))
+    return;
+  const std::optional<double> t = t_in_range(ray_, meeting, a, b, c);
   if (!t) return;
-  meeting->t = *t;
-  if (found_ && !is_nearer(*meeting, triangle, corners)) return;
-  best_ = *meeting;
+  meeting.t = *t;
+  if (found_ && !is_nearer(meeting, triangle, corners)) return;
+  best_ = 1 - best_;
   best_triangle_ = triangle;
   found_ = true;
-  t_max_ = std::min(t_max_, *t + meeting->t_error);
+  t_max_ = std::min(t_max_, *t + meeting.t_error);
 }
 
 std::optional<SurfaceHit> ClosestTriangle::result() const {
   if (!found_) return std::nullopt;
-  const TriangleHit hit = best_.hit(best_.t);
-  return SurfaceHit{hit.t, hit.u, hit.v, best_triangle_, best_.t_error};
+  const TriangleHit hit = best().hit(best().t);
+  return SurfaceHit{hit.t, hit.u, hit.v, best_triangle_, best().t_error};
 }
 
 }  // namespace plumb

@@ -48,8 +48,11 @@ class ClosestTriangle {
   /// The error of any weight of any triangle of the mesh. Infinite where no bound holds.
   double any_weight_error_;
   double t_max_;
-  /// t is the one to report.
-  TriangleMeeting best_{};
+  const TriangleMeeting& best() const { return meetings_[best_]; }
+
+  /// The best, whose t is the one to report, and room for the next: a copy would be slow.
+  std::array<TriangleMeeting, 2> meetings_;
+  std::size_t best_ = 0;
   std::uint32_t best_triangle_ = 0;
   bool found_ = false;
 };

@@ -47,21 +47,18 @@ std::array<long double, 3> wide_weights(const Ray& ray, const Point3& a, const P
 /// Of a t that is rounded once.
 double rounding_error(double t) { return 0x1p-51 * std::fabs(t) + 0x1p-1070; }
 
-std::optional<TriangleMeeting> if_finite(const TriangleMeeting& meeting) {
-  if (!std::isfinite(meeting.t)) return std::nullopt;
-  return meeting;
-}
 
 /// Without rounding, in world space, up to the numbers at the end.
-std::optional<TriangleMeeting> exactly_meet(const ShearedRay& sheared, const Point3& a, const Point3& b,
-                                            const Point3& c) {
+bool exactly_meet(const ShearedRay& sheared, const Point3& a, const Point3& b, const Point3& c,
+                  TriangleMeeting& meeting) {
   const Ray& ray = sheared.world;
   if (!is_finite(ray.origin) || !is_finite(ray.direction) || !is_finite(a) || !is_finite(b) || !is_finite(c))
-    return std::nullopt;
+    return false;
   const ExactTriangle exact(ray, sheared.world_from_object, {a, b, c});
-  if (!exact.is_met()) return std::nullopt;
+  if (!exact.is_met()) return false;
   const double t = exact.t();
-  return if_finite({t, rounding_error(t), exact.weight_b(), exact.weight_c(), 1});
+  meeting = {t, rounding_error(t), exact.weight_b(), exact.weight_c(), 1};
+  return std::isfinite(t);
 }
 
 /// Outside of these a product of three or four coordinates could leave the range of doubles, or be rounded below it.
@@ -69,12 +66,12 @@ bool is_ordinary(double size) { return size >= 0x1p-200 && size <= 0x1p200; }
 
 /// The same in units in which the largest distance and the direction's largest coordinate lie in [1, 2). Powers of two
 /// move numbers exactly, unless they fall below the smallest.
-std::optional<TriangleMeeting> meet_in_its_own_units(const ShearedRay& sheared, double distance, const Point3& a,
-                                                     const Point3& b, const Point3& c) {
+bool meet_in_its_own_units(const ShearedRay& sheared, double distance, const Point3& a, const Point3& b,
+                           const Point3& c, TriangleMeeting& meeting) {
   const Ray& ray = sheared.ray;
   const double along = largest(ray.direction);
-  if (sheared.world_from_object) return exactly_meet(sheared, a, b, c);
-  if (!(distance > 0 && along > 0 && std::isfinite(distance) && std::isfinite(along))) return std::nullopt;
+  if (sheared.world_from_object) return exactly_meet(sheared, a, b, c, meeting);
+  if (!(distance > 0 && along > 0 && std::isfinite(distance) && std::isfinite(along))) return false;
   const int points = -std::ilogb(distance), directions = -std::ilogb(along);
   bool exact = true;
   const auto scaled = [&](const auto& v, int exponent) {
@@ -87,19 +84,19 @@ std::optional<TriangleMeeting> meet_in_its_own_units(const ShearedRay& sheared, 
   };
   const Ray unit{scaled(ray.origin, points), scaled(ray.direction, directions), -kInfinity};
   const Point3 unit_a = scaled(a, points), unit_b = scaled(b, points), unit_c = scaled(c, points);
-  if (!exact) return exactly_meet(sheared, a, b, c);
+  if (!exact) return exactly_meet(sheared, a, b, c, meeting);
   const ShearedRay unit_ray(unit);
-  auto meeting = meet(unit_ray, ShearedTriangle(unit_ray, unit_a, unit_b, unit_c), unit_a, unit_b, unit_c);
-  if (!meeting) return std::nullopt;
-  meeting->t = std::scalbn(meeting->t, directions - points);
-  meeting->t_error = std::scalbn(meeting->t_error, directions - points) + 0x1p-1070;
-  return if_finite(*meeting);
+  const ShearedTriangle unit_triangle(unit_ray, unit_a, unit_b, unit_c);
+  if (!meet(unit_ray, unit_triangle, unit_a, unit_b, unit_c, meeting)) return false;
+  meeting.t = std::scalbn(meeting.t, directions - points);
+  meeting.t_error = std::scalbn(meeting.t_error, directions - points) + 0x1p-1070;
+  return std::isfinite(meeting.t);
 }
 
 /// The plane of a triangle that is surely met, in 64 bits, where doubles have too few: the ray grazes it or starts in it.
-std::optional<TriangleMeeting> meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weights,
-                                            const Point3& a, const Point3& b, const Point3& c) {
-  if (sheared.world_from_object) return exactly_meet(sheared, a, b, c);
+bool meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weights, const Point3& a, const Point3& b,
+                  const Point3& c, TriangleMeeting& meeting) {
+  if (sheared.world_from_object) return exactly_meet(sheared, a, b, c, meeting);
   const Ray& ray = sheared.ray;
   const WideVector to_a = wide_difference(a, ray.origin);
   const WideVector edge_b = wide_difference(b, a), edge_c = wide_difference(c, a);
@@ -114,12 +111,13 @@ std::optional<TriangleMeeting> meet_closely(const ShearedRay& sheared, const std
   const bool is_steep = std::fabs(facing) > 0x1p17L * facing_error;
   const bool starts_on_it = std::fabs(distance) < distance_error &&
                             !(std::fabs(distance) + distance_error < ray.t_min * (std::fabs(facing) - facing_error));
-  if (!is_steep || starts_on_it) return exactly_meet(sheared, a, b, c);
+  if (!is_steep || starts_on_it) return exactly_meet(sheared, a, b, c, meeting);
   const long double t = distance / facing;
   const long double t_error = (distance_error + std::fabs(t) * facing_error) / std::fabs(facing);
   const auto rounded = static_cast<double>(t);
-  return if_finite({rounded, static_cast<double>(t_error) * (1 + 0x1p-30) + rounding_error(rounded), weights[1],
-                    weights[2], weights[0] + weights[1] + weights[2]});
+  meeting = {rounded, static_cast<double>(t_error) * (1 + 0x1p-30) + rounding_error(rounded), weights[1], weights[2],
+             weights[0] + weights[1] + weights[2]};
+  return std::isfinite(rounded);
 }
 
 }  // namespace
@@ -160,12 +158,12 @@ void ShearedRay::find_axes() {
   origin_z = coordinate(ray.origin, kz);
 }
 
-std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Point3& a,
-                                    const Point3& b, const Point3& c) {
+bool meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Point3& a, const Point3& b, const Point3& c,
+          TriangleMeeting& meeting) {
   const Ray& ray = sheared.ray;
   const double m = triangle.largest();
   if (!is_ordinary(m) || !is_ordinary(std::fabs(coordinate(ray.direction, sheared.kz)))) [[unlikely]]
-    return meet_in_its_own_units(sheared, m, a, b, c);
+    return meet_in_its_own_units(sheared, m, a, b, c, meeting);
   const auto& [pa, pb, pc] = triangle.plane;
   std::array<double, 3> weights = triangle.weights;
   const double reach =
@@ -173,21 +171,21 @@ std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTria
   const double error = weight_error(sheared, m, reach);
   const bool is_placed = sheared.world_from_object != nullptr;
   if (!(error <= kLargest)) {  // NaN, or a direction without digits
-    if (is_placed) return exactly_meet(sheared, a, b, c);
-    return std::nullopt;
+    if (is_placed) return exactly_meet(sheared, a, b, c, meeting);
+    return false;
   }
   Side side = side_of(weights, error);
   if (side == Side::unsure) {
     // The errors of a placed ray are those of doubles at least.
-    if (is_placed) return exactly_meet(sheared, a, b, c);
+    if (is_placed) return exactly_meet(sheared, a, b, c, meeting);
     // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
     const double edge = std::max(largest(b - a), std::max(largest(c - b), largest(a - c)));
     const auto wide = wide_weights(ray, a, b, c);
     side = side_of(wide, 0x1p-58L * std::fabs(coordinate(ray.direction, sheared.kz)) * m * edge);
     for (std::size_t i = 0; i < 3; ++i) weights[i] = static_cast<double>(wide[i]);
   }
-  if (side == Side::misses) return std::nullopt;
-  if (side == Side::unsure) return exactly_meet(sheared, a, b, c);
+  if (side == Side::misses) return false;
+  if (side == Side::unsure) return exactly_meet(sheared, a, b, c, meeting);
 
   const Vec3 to_a = a - ray.origin;
   const Vec3 edge_b = b - a;
@@ -199,16 +197,23 @@ std::optional<TriangleMeeting> meet(const ShearedRay& sheared, const ShearedTria
   // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
   const double size = largest(edge_b) * largest(edge_c);
   const double along = std::fabs(coordinate(ray.direction, sheared.kz));
-  const bool is_steep = std::fabs(facing) > 0x1p-6 * size * along;
+  // What underflows is far below the bounds, unless the edges are tiny.
+  const bool is_steep = size >= 0x1p-500 && std::fabs(facing) > 0x1p-6 * size * along;
   const double distance_error = 0x1p-47 * size * largest(to_a) + 8 * size * sheared.origin_error;
   const bool starts_on_it =
       std::fabs(distance) < distance_error && !(std::fabs(distance) + distance_error < ray.t_min * std::fabs(facing));
-  if (!is_steep || starts_on_it) return meet_closely(sheared, weights, a, b, c);
+  if (!is_steep || starts_on_it) return meet_closely(sheared, weights, a, b, c, meeting);
 
   const double t = distance / facing;
   const double facing_error = 0x1p-47 * size * along + 8 * size * sheared.direction_error;
   const double t_error = (distance_error + std::fabs(t) * facing_error) * (1 / std::fabs(facing));
-  return if_finite({t, t_error, weights[1], weights[2], weights[0] + weights[1] + weights[2]});
+  // One by one: a copy would load pairs of numbers that were stored singly just before, which processors are slow at.
+  meeting.t = t;
+  meeting.t_error = t_error;
+  meeting.weight_b = weights[1];
+  meeting.weight_c = weights[2];
+  meeting.sum = weights[0] + weights[1] + weights[2];
+  return std::isfinite(t);
 }
 
 std::optional<double> exact_t_in_range(const ShearedRay& sheared, const TriangleMeeting& meeting, const Point3& a,
@@ -222,11 +227,11 @@ std::optional<double> exact_t_in_range(const ShearedRay& sheared, const Triangle
 
 std::optional<TriangleHit> intersect_triangle(const ShearedRay& sheared, const Point3& a, const Point3& b,
                                               const Point3& c) {
-  const auto meeting = meet(sheared, ShearedTriangle(sheared, a, b, c), a, b, c);
-  if (!meeting) return std::nullopt;
-  const auto t = t_in_range(sheared, *meeting, a, b, c);
+  TriangleMeeting meeting;
+  if (!meet(sheared, ShearedTriangle(sheared, a, b, c), a, b, c, meeting)) return std::nullopt;
+  const auto t = t_in_range(sheared, meeting, a, b, c);
   if (!t) return std::nullopt;
-  return meeting->hit(*t);
+  return meeting.hit(*t);
 }
 
 std::vector<Bounds3> triangle_bounds(const TriangleMesh& mesh) {

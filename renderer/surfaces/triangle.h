@@ -56,11 +56,11 @@ struct TriangleHit {
 
 /// Where a ray's line meets a triangle, whatever the range.
 struct TriangleMeeting {
-  double t;
+  double t = 0;
   /// The exact t is not further from t than this.
-  double t_error;
+  double t_error = 0;
   /// The weights of b and c, each times `sum`.
-  double weight_b, weight_c, sum;
+  double weight_b = 0, weight_c = 0, sum = 1;
 
   TriangleHit hit(double in_range) const { return {in_range, weight_b / sum, weight_c / sum}; }
 };
@@ -126,9 +126,9 @@ inline double weight_error(const ShearedRay& ray, double m, double reach) {
   return each * (reach + 2 * each);
 }
 
-/// The meeting of the ray's line with the triangle that was sheared from a, b, c, exactly decided.
-std::optional<TriangleMeeting> meet(const ShearedRay& ray, const ShearedTriangle& sheared, const Point3& a,
-                                    const Point3& b, const Point3& c);
+/// Whether the ray's line meets the triangle that was sheared from a, b, c, exactly decided; if so, where.
+bool meet(const ShearedRay& ray, const ShearedTriangle& sheared, const Point3& a, const Point3& b, const Point3& c,
+          TriangleMeeting& meeting);
 
 /// As t_in_range, where the rounded t is too near to a bound to tell.
 std::optional<double> exact_t_in_range(const ShearedRay& ray, const TriangleMeeting& meeting, const Point3& a,

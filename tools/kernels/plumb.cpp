@@ -1,4 +1,5 @@
 // Our own tracer: the renderer's surfaces in the renderer's scene, asked as its integrator asks them.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -89,23 +90,29 @@ class MeshSearch {
  public:
   explicit MeshSearch(std::shared_ptr<const TriangleMesh> mesh) : mesh_(std::move(mesh)) {}
 
-  void all(const Ray& ray, std::uint32_t surface, std::vector<Hit>& hits) {
-    std::call_once(made_, [&] { hierarchy_.emplace(triangle_bounds(*mesh_)); });
+  void all(const PlacedRay& ray, std::uint32_t surface, std::vector<Hit>& hits) {
+    std::call_once(made_, [&] {
+      const std::vector<Bounds3> bounds = triangle_bounds(*mesh_);
+      hierarchy_.emplace(bounds);
+      for (const Bounds3& box : bounds) largest_ = std::max(largest_, largest_coordinate(box));
+    });
     const ShearedRay sheared(ray);
     TraceCounters counters;
-    hierarchy_->walk(ray, counters, [&](std::uint32_t i) {
+    const auto test = [&](std::uint32_t i) {
       const auto [a, b, c] = mesh_->triangles[i];
       const auto& p = mesh_->positions;
       if (const auto hit = intersect_triangle(sheared, p[a], p[b], p[c]))
         hits.push_back({surface, i, hit->t, hit->u, hit->v});
       return false;
-    });
+    };
+    hierarchy_->walk(ray.object, counters, test, ray.drift(largest_));
   }
 
  private:
   std::shared_ptr<const TriangleMesh> mesh_;
   std::once_flag made_;
   std::optional<Hierarchy> hierarchy_;
+  double largest_ = 0;
 };
 
 class PlumbKernel {
@@ -127,11 +134,11 @@ class PlumbKernel {
   void all(const Ray& ray, std::vector<Hit>& hits) const {
     for (std::uint32_t i = 0; i < scene_.placed().size(); ++i) {
       const PlacedSurface& placed = scene_.placed()[i];
-      const Ray own = placed.world_from_object.is_identity() ? ray : placed.world_from_object.inverse_of(ray);
+      const PlacedRay own(ray, placed.world_from_object);
       if (searches_[i])
         searches_[i]->all(own, i, hits);
       else
-        all_of_solid(own, i, hits);
+        all_of_solid(own.object, i, hits);
     }
   }
 

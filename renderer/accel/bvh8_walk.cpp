@@ -19,22 +19,21 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb {
 namespace HWY_NAMESPACE {
 
-/// A child and where the ray enters its box: the upper half holds the bits of t >= 0, the lower the child's block, and at the bottom whether
-/// it is a leaf. As a positive double, which it is for any t up to infinity, it sorts by t; and the processor has a minimum of doubles.
+/// A child and where the ray enters its box, in one number that sorts by the latter: the bits of t >= 0, then the reference.
 class Entry {
  public:
   Entry() = default;
-  HWY_INLINE Entry(float t, std::uint32_t reference)
+  HWY_INLINE Entry(float t, Bvh8Reference reference)
       : bits_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(t)) << 32 | reference) {}
   HWY_INLINE float t() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
-  HWY_INLINE std::uint32_t reference() const { return static_cast<std::uint32_t>(bits_); }
-  /// The farther one first, without a branch that would have to be guessed.
-  static HWY_INLINE void sort(Entry& p, Entry& q) {
-    const auto a = std::bit_cast<double>(p.bits_), b = std::bit_cast<double>(q.bits_);
-    p.bits_ = std::bit_cast<std::uint64_t>(a > b ? a : b);
-    q.bits_ = std::bit_cast<std::uint64_t>(a > b ? b : a);
-  }
+  HWY_INLINE Bvh8Reference reference() const { return static_cast<Bvh8Reference>(bits_); }
   friend HWY_INLINE bool operator<(Entry p, Entry q) { return p.bits_ < q.bits_; }
+  /// The farther one first. Nobody can guess which that is, so it is not a branch.
+  static HWY_INLINE void sort(Entry& p, Entry& q) {
+    const std::uint64_t swapped = (p.bits_ ^ q.bits_) & (0 - static_cast<std::uint64_t>(p.bits_ < q.bits_));
+    p.bits_ ^= swapped;
+    q.bits_ ^= swapped;
+  }
 
  private:
   std::uint64_t bits_;

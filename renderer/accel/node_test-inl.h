@@ -40,15 +40,16 @@ class NodeTest {
    public:
     HWY_INLINE Axis(const FilterRay& ray, int axis)
         : reciprocal_(all8(ray.reciprocal[axis])), near_origin_(all8(ray.near_origin[axis] * ray.reciprocal[axis])),
-          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])), near_(static_cast<std::size_t>(ray.near_row[axis])) {}
+          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])), near_(8 * static_cast<std::size_t>(ray.near_row[axis])), far_(8 - near_) {}
     HWY_INLINE Sides sides(const Bvh8Node& node, std::size_t axis) const {
-      const auto* rows = node.sides[axis].data();
-      return {load8(rows[near_].data()) * reciprocal_ - near_origin_, load8(rows[1 - near_].data()) * reciprocal_ - far_origin_};
+      const float* const rows = node.sides[axis][0].data();
+      return {load8(rows + near_) * reciprocal_ - near_origin_, load8(rows + far_) * reciprocal_ - far_origin_};
     }
 
    private:
     Float8 reciprocal_, near_origin_, far_origin_;
-    std::size_t near_;
+    /// Where the near and the far sides begin in those of an axis.
+    std::size_t near_, far_;
   };
 
   Axis x_, y_, z_;

@@ -18,7 +18,7 @@ constexpr int kBalanced = 60;
 constexpr std::uint32_t kWorthAThread = 4096;
 
 /// What testing so many triangles costs: leaves of about five, and something for each.
-float cost_of(std::uint32_t count) { return static_cast<float>(count); }
+float cost_of(std::uint32_t count) { return static_cast<float>((count + 5) / 6); }
 
 /// Twice the centre.
 BoxSide center_of(const FloatBox& box) { return box.low + box.high; }

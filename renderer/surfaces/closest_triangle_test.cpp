@@ -12,8 +12,6 @@
 namespace plumb {
 namespace {
 
-constexpr double kInfinity = Bounds3::kInfinity;
-
 TriangleMesh mesh_of(const std::vector<TriangleVertices>& triangles) {
   TriangleMesh mesh;
   for (const auto& triangle : triangles) {

@@ -32,7 +32,8 @@ template <class Number, class Other>
 auto determinants(const Triple<Number>& a, const Triple<Number>& b, const Triple<Number>& c,
                   const Triple<Other>& direction) {
   const auto c_cross_b = cross(c, b);
-  return std::pair(Determinants{dot(direction, c_cross_b), dot(direction, cross(a, c)), dot(direction, cross(b, a))},
+  auto u = dot(direction, c_cross_b);
+  return std::pair(Determinants<decltype(u)>{u, dot(direction, cross(a, c)), dot(direction, cross(b, a))},
                    dot(a, c_cross_b));
 }
 

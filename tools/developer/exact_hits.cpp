@@ -183,8 +183,21 @@ void judge_all(const std::vector<PlacedShape>& shapes, const std::vector<Ray>& r
   }
 }
 
+/// Axes that change places and sides, by powers of two, and a whole offset: few numbers are rounded under it, so that
+/// rays at vertices meet them exactly.
+AffineMatrix whole_placement(Random& random) {
+  AffineMatrix matrix{};
+  const std::uint32_t turn = random.below(3);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    matrix[i][(i + turn) % 3] = random.sign() * std::ldexp(1.0, random.integer(-10, 10));
+    matrix[i][3] = random.whole(random.coin() ? 16 : 1e6);
+  }
+  return matrix;
+}
+
 /// A rotation, a scale of the condition, a rotation, each tenth without them; mirrored or not; an offset.
 AffineMatrix random_placement(Random& random, const Rounding& rounded) {
+  if (random.one_in(4)) return whole_placement(random);
   const auto rotation = [&] {
     const double x = random.between(-180, 180), y = random.between(-180, 180), z = random.between(-180, 180);
     return rotation_degrees({x, y, z});

@@ -2,24 +2,13 @@
 
 namespace plumb {
 
-ClosestTriangle::ClosestTriangle(const PlacedRay& ray, const TriangleMesh& mesh, double largest_coordinate)
-    : mesh_(mesh), ray_(ray), any_weight_error_(Bounds3::kInfinity), t_max_(std::min(ray.object().t_max, ray.nearest)) {
-  const Point3& o = ray.object().origin;
-  const double m = 1.001 * (largest_coordinate + std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)}));
-  // A sheared coordinate is one of at most m plus at most another such. Within these nothing overflows, and what
-  // underflows is below 2^-1074 m, far below the bound.
-  if (m >= 0x1p-200 && m <= 0x1p200) any_weight_error_ = weight_error(ray_, m, 12.1 * m);
-}
-
 TriangleVertices ClosestTriangle::vertices(std::uint32_t triangle) const {
   const auto& [a, b, c] = mesh_.triangles[triangle];
   return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
 }
 
-bool ClosestTriangle::meets(const TriangleVertices& corners) const {
+bool ClosestTriangle::surely_meets(const ShearedTriangle& sheared, const TriangleVertices& corners) const {
   const auto& [a, b, c] = corners;
-  const ShearedTriangle sheared(ray_, a, b, c);
-  if (sheared.is_missed(any_weight_error_)) return false;
   TriangleMeeting meeting;
   return meet(ray_, sheared, a, b, c, meeting) && t_in_range(ray_, meeting, a, b, c);
 }
@@ -43,10 +32,7 @@ void ClosestTriangle::consider(const std::uint32_t& triangle, const TriangleVert
   if (!t) return;
   meeting.t = *t;
   if (found_ && !is_nearer(meeting, triangle, corners)) return;
-  best_ = 1 - best_;
-  best_triangle_ = triangle;
-  found_ = true;
-  t_max_ = std::min(t_max_, *t + meeting.t_error);
+  keep(triangle);
 }
 
 std::optional<SurfaceHit> ClosestTriangle::result() const {

@@ -13,7 +13,15 @@ namespace plumb {
 class ClosestTriangle {
  public:
   /// No coordinate of a vertex of the mesh is larger than `largest_coordinate`. Refers to both.
-  ClosestTriangle(const PlacedRay& ray, const TriangleMesh& mesh, double largest_coordinate);
+  ClosestTriangle(const PlacedRay& ray, const TriangleMesh& mesh, double largest_coordinate)
+      : mesh_(mesh), ray_(ray), t_max_(std::min(ray.object().t_max, ray.nearest)) {
+    const double m = 1.001 * (largest_coordinate + plumb::largest_coordinate(ray.object().origin));
+    // A sheared coordinate is one of at most m plus at most another such. Within these nothing overflows, and what
+    // underflows is below 2^-1074 m, far below the bound.
+    any_weight_error_ = m >= 0x1p-200 && m <= 0x1p200 ? weight_error(ray_, m, 12.1 * m) : Bounds3::kInfinity;
+    const double along = std::fabs(coordinate(ray.object().direction, ray_.kz));
+    has_ordinary_length_ = along >= 0x1p-200 && along <= 0x1p200;
+  }
 
   /// Takes a triangle into account. Most that are missed cost a few nanoseconds.
   void offer(std::uint32_t triangle) {
@@ -24,11 +32,32 @@ class ClosestTriangle {
   /// The same of one whose corners are at hand. Its number is read only if it is met.
   void offer(const std::uint32_t& triangle, const TriangleVertices& corners) {
     const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
-    if (!sheared.is_missed(any_weight_error_)) consider(triangle, corners, sheared);
+    if (sheared.is_missed(any_weight_error_)) return;
+    // Nearly all others are surely met, in range and nearer than the best, or surely not.
+    TriangleMeeting& meeting = meetings_[1 - best_];
+    if (is_plain(sheared, corners, meeting)) {
+      const double low = meeting.t - meeting.t_error, high = meeting.t + meeting.t_error;
+      if (low > t_max_ || high < ray_.ray.t_min) return;
+      if (low > ray_.ray.t_min && high < t_max_ && (!found_ || high < best().t - best().t_error)) {
+        keep(triangle);
+        return;
+      }
+    }
+    consider(triangle, corners, sheared);
   }
 
   /// Whether the ray meets this triangle within its range; nothing is kept.
-  bool meets(const TriangleVertices& corners) const;
+  bool meets(const TriangleVertices& corners) const {
+    const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
+    if (sheared.is_missed(any_weight_error_)) return false;
+    TriangleMeeting meeting;
+    if (is_plain(sheared, corners, meeting)) {
+      const double low = meeting.t - meeting.t_error, high = meeting.t + meeting.t_error;
+      if (low > ray_.ray.t_max || high < ray_.ray.t_min) return false;
+      if (low > ray_.ray.t_min && high < ray_.ray.t_max) return true;
+    }
+    return surely_meets(sheared, corners);
+  }
   bool meets(std::uint32_t triangle) const { return meets(vertices(triangle)); }
 
   /// What lies strictly beyond cannot change the result. Not above the ray's own t_max nor its `nearest`.
@@ -38,6 +67,19 @@ class ClosestTriangle {
   std::optional<SurfaceHit> result() const;
 
  private:
+  /// Whether doubles suffice to say that the ray's line meets the triangle, and where.
+  bool is_plain(const ShearedTriangle& sheared, const TriangleVertices& corners, TriangleMeeting& meeting) const {
+    return sheared.is_sure_to_meet(any_weight_error_) && has_ordinary_length_ &&
+           meet_plane(ray_, sheared.weights, corners[0], corners[1], corners[2], meeting);
+  }
+  void keep(std::uint32_t triangle) {
+    best_ = 1 - best_;
+    best_triangle_ = triangle;
+    found_ = true;
+    t_max_ = std::min(t_max_, best().t + best().t_error);
+  }
+  /// What the inline functions leave open.
+  bool surely_meets(const ShearedTriangle& sheared, const TriangleVertices& corners) const;
   void consider(const std::uint32_t& triangle, const TriangleVertices& corners, const ShearedTriangle& sheared);
   TriangleVertices vertices(std::uint32_t triangle) const;
   /// Whether this meeting lies before the best one, both in the range.
@@ -47,6 +89,7 @@ class ClosestTriangle {
   ShearedRay ray_;
   /// The error of any weight of any triangle of the mesh. Infinite where no bound holds.
   double any_weight_error_;
+  bool has_ordinary_length_;
   double t_max_;
   const TriangleMeeting& best() const { return meetings_[best_]; }
 

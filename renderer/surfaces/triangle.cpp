@@ -11,8 +11,6 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double largest(const Vec3& v) { return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z))); }
-
 /// By which side of each edge the ray passes.
 enum class Side { misses, hits, unsure };
 
@@ -69,7 +67,7 @@ bool is_ordinary(double size) { return size >= 0x1p-200 && size <= 0x1p200; }
 bool meet_in_its_own_units(const ShearedRay& sheared, double distance, const Point3& a, const Point3& b,
                            const Point3& c, TriangleMeeting& meeting) {
   const Ray& ray = sheared.ray;
-  const double along = largest(ray.direction);
+  const double along = largest_coordinate(ray.direction);
   if (sheared.world_from_object) return exactly_meet(sheared, a, b, c, meeting);
   if (!(distance > 0 && along > 0 && std::isfinite(distance) && std::isfinite(along))) return false;
   const int points = -std::ilogb(distance), directions = -std::ilogb(along);
@@ -105,9 +103,9 @@ bool meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weight
                                to_a[1] * (edge_b[2] * edge_c[0] - edge_b[0] * edge_c[2]) +
                                to_a[2] * (edge_b[0] * edge_c[1] - edge_b[1] * edge_c[0]);
   // Six terms, each with at most eight roundings of 2^-64 on its way: 48 2^-64 of the sizes' product.
-  const long double size = static_cast<long double>(largest(b - a)) * largest(c - a);
+  const long double size = static_cast<long double>(largest_coordinate(b - a)) * largest_coordinate(c - a);
   const long double facing_error = 0x1p-58L * size * std::fabs(coordinate(ray.direction, sheared.kz));
-  const long double distance_error = 0x1p-58L * size * largest(a - ray.origin);
+  const long double distance_error = 0x1p-58L * size * largest_coordinate(a - ray.origin);
   const bool is_steep = std::fabs(facing) > 0x1p17L * facing_error;
   const bool starts_on_it = std::fabs(distance) < distance_error &&
                             !(std::fabs(distance) + distance_error < ray.t_min * (std::fabs(facing) - facing_error));
@@ -121,42 +119,6 @@ bool meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weight
 }
 
 }  // namespace
-
-ShearedRay::ShearedRay(const Ray& of) : ray(of), world(of) { find_axes(); }
-
-ShearedRay::ShearedRay(const PlacedRay& placed)
-    : ray(placed.object()),
-      world(*placed.world),
-      world_from_object(placed.world_from_object),
-      origin_error(placed.origin_error),
-      direction_error(placed.direction_error) {
-  find_axes();
-  if (!world_from_object) return;
-  // The shear is a quotient of at most 1, so it moves by less than 2 e / (|d_z| - e), with e the direction's error.
-  const double along = std::fabs(coordinate(ray.direction, kz));
-  drift = 2.5 * origin_error;
-  drift_growth = direction_error <= 0x1p-12 * along ? 2.5 * direction_error / along : kInfinity;
-}
-
-void ShearedRay::find_axes() {
-  const Vec3& d = ray.direction;
-  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-  // By which of x > y, x > z and y > z hold, as bits from the lowest: which is the largest cannot be guessed.
-  static constexpr std::array<std::int8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 2, 0};
-  static constexpr std::array<std::int8_t, 5> kCircle{0, 1, 2, 0, 1};
-  const auto longest = static_cast<std::size_t>(kLongest[static_cast<std::size_t>(x > y) |
-                                                         static_cast<std::size_t>(x > z) << 1 |
-                                                         static_cast<std::size_t>(y > z) << 2]);
-  kx = kCircle[longest + 1];
-  ky = kCircle[longest + 2];
-  kz = kCircle[longest];
-  const double along = coordinate(d, kz);
-  shear_x = coordinate(d, kx) / along;
-  shear_y = coordinate(d, ky) / along;
-  origin_x = coordinate(ray.origin, kx);
-  origin_y = coordinate(ray.origin, ky);
-  origin_z = coordinate(ray.origin, kz);
-}
 
 bool meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Point3& a, const Point3& b, const Point3& c,
           TriangleMeeting& meeting) {
@@ -179,7 +141,7 @@ bool meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Poin
     // The errors of a placed ray are those of doubles at least.
     if (is_placed) return exactly_meet(sheared, a, b, c, meeting);
     // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
-    const double edge = std::max(largest(b - a), std::max(largest(c - b), largest(a - c)));
+    const double edge = std::max(largest_coordinate(b - a), std::max(largest_coordinate(c - b), largest_coordinate(a - c)));
     const auto wide = wide_weights(ray, a, b, c);
     side = side_of(wide, 0x1p-58L * std::fabs(coordinate(ray.direction, sheared.kz)) * m * edge);
     for (std::size_t i = 0; i < 3; ++i) weights[i] = static_cast<double>(wide[i]);
@@ -187,33 +149,8 @@ bool meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Poin
   if (side == Side::misses) return false;
   if (side == Side::unsure) return exactly_meet(sheared, a, b, c, meeting);
 
-  const Vec3 to_a = a - ray.origin;
-  const Vec3 edge_b = b - a;
-  const Vec3 edge_c = c - a;
-  const Vec3 normal = cross(edge_b, edge_c);
-  const double facing = dot(normal, ray.direction);
-  const double distance = dot(normal, to_a);
-  // The normal is off by 8u of the edges' product. Where the plane is steep, the hit is then within some 2^-42 of the
-  // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
-  const double size = largest(edge_b) * largest(edge_c);
-  const double along = std::fabs(coordinate(ray.direction, sheared.kz));
-  // What underflows is far below the bounds, unless the edges are tiny.
-  const bool is_steep = size >= 0x1p-500 && std::fabs(facing) > 0x1p-6 * size * along;
-  const double distance_error = 0x1p-47 * size * largest(to_a) + 8 * size * sheared.origin_error;
-  const bool starts_on_it =
-      std::fabs(distance) < distance_error && !(std::fabs(distance) + distance_error < ray.t_min * std::fabs(facing));
-  if (!is_steep || starts_on_it) return meet_closely(sheared, weights, a, b, c, meeting);
-
-  const double t = distance / facing;
-  const double facing_error = 0x1p-47 * size * along + 8 * size * sheared.direction_error;
-  const double t_error = (distance_error + std::fabs(t) * facing_error) * (1 / std::fabs(facing));
-  // One by one: a copy would load pairs of numbers that were stored singly just before, which processors are slow at.
-  meeting.t = t;
-  meeting.t_error = t_error;
-  meeting.weight_b = weights[1];
-  meeting.weight_c = weights[2];
-  meeting.sum = weights[0] + weights[1] + weights[2];
-  return std::isfinite(t);
+  if (meet_plane(sheared, weights, a, b, c, meeting)) return std::isfinite(meeting.t);
+  return meet_closely(sheared, weights, a, b, c, meeting);
 }
 
 std::optional<double> exact_t_in_range(const ShearedRay& sheared, const TriangleMeeting& meeting, const Point3& a,

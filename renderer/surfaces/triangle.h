@@ -25,6 +25,11 @@ double coordinate(const Triple& v, int axis) {
   return value;
 }
 
+template <class Triple>
+double largest_coordinate(const Triple& v) {
+  return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+
 /// A ray with the shear that takes its direction to an axis: what does not depend on the triangle. It refers to the
 /// ray, whose range may shrink meanwhile where it is in world space.
 struct ShearedRay {
@@ -48,6 +53,42 @@ struct ShearedRay {
  private:
   void find_axes();
 };
+
+inline ShearedRay::ShearedRay(const Ray& of) : ray(of), world(of) { find_axes(); }
+
+inline ShearedRay::ShearedRay(const PlacedRay& placed)
+    : ray(placed.object()),
+      world(*placed.world),
+      world_from_object(placed.world_from_object),
+      origin_error(placed.origin_error),
+      direction_error(placed.direction_error) {
+  find_axes();
+  if (!world_from_object) return;
+  // The shear is a quotient of at most 1, so it moves by less than 2 e / (|d_z| - e), with e the direction's error.
+  const double along = std::fabs(coordinate(ray.direction, kz));
+  drift = 2.5 * origin_error;
+  drift_growth = direction_error <= 0x1p-12 * along ? 2.5 * direction_error / along : Bounds3::kInfinity;
+}
+
+inline void ShearedRay::find_axes() {
+  const Vec3& d = ray.direction;
+  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  // By which of x > y, x > z and y > z hold, as bits from the lowest: which is the largest cannot be guessed.
+  constexpr std::array<std::int8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 2, 0};
+  constexpr std::array<std::int8_t, 5> kCircle{0, 1, 2, 0, 1};
+  const auto longest =
+      static_cast<std::size_t>(kLongest[static_cast<std::size_t>(x > y) | static_cast<std::size_t>(x > z) << 1 |
+                                        static_cast<std::size_t>(y > z) << 2]);
+  kx = kCircle[longest + 1];
+  ky = kCircle[longest + 2];
+  kz = kCircle[longest];
+  const double along = coordinate(d, kz);
+  shear_x = coordinate(d, kx) / along;
+  shear_y = coordinate(d, ky) / along;
+  origin_x = coordinate(ray.origin, kx);
+  origin_y = coordinate(ray.origin, ky);
+  origin_z = coordinate(ray.origin, kz);
+}
 
 /// A hit on one triangle: u and v are the weights of b and c.
 struct TriangleHit {
@@ -91,10 +132,11 @@ struct ShearedTriangle {
 
   /// Whether weights of different signs are both beyond `error`.
   bool is_missed(double error) const {
-    const double low = std::min(std::min(weights[0], weights[1]), weights[2]);
-    const double high = std::max(std::max(weights[0], weights[1]), weights[2]);
-    return (low < -error) & (high > error);
+    return (lowest() < -error) & (highest() > error);
   }
+
+  /// Whether all weights lie on one side of zero by more than `error`.
+  bool is_sure_to_meet(double error) const { return (lowest() > error) | (highest() < -error); }
 
   /// The largest coordinate of a vertex from the origin.
   double largest() const {
@@ -111,6 +153,8 @@ struct ShearedTriangle {
   std::array<double, 3> weights;
 
  private:
+  double lowest() const { return std::min(std::min(weights[0], weights[1]), weights[2]); }
+  double highest() const { return std::max(std::max(weights[0], weights[1]), weights[2]); }
   static double cross(const PlanePoint& p, const PlanePoint& q) { return p.x * q.y - p.y * q.x; }
 
   static std::array<double, 3> difference(const ShearedRay& ray, const Point3& p) {
@@ -124,6 +168,38 @@ struct ShearedTriangle {
 inline double weight_error(const ShearedRay& ray, double m, double reach) {
   const double each = 0x1p-49 * m + (ray.drift + ray.drift_growth * m);
   return each * (reach + 2 * each);
+}
+
+/// Where the ray's line meets the plane of a triangle, which it is known to meet with these weights; false where that takes
+/// more digits: the ray grazes the plane, or starts in it, or the triangle is a needle. All numbers but t are finite.
+inline bool meet_plane(const ShearedRay& sheared, const std::array<double, 3>& weights, const Point3& a,
+                       const Point3& b, const Point3& c, TriangleMeeting& meeting) {
+  const Ray& ray = sheared.ray;
+  const Vec3 to_a = a - ray.origin;
+  const Vec3 edge_b = b - a;
+  const Vec3 edge_c = c - a;
+  const Vec3 normal = cross(edge_b, edge_c);
+  const double facing = dot(normal, ray.direction);
+  const double distance = dot(normal, to_a);
+  // The normal is off by 8u of the edges' product. Where the plane is steep, the hit is then within some 2^-42 of the
+  // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
+  const double size = largest_coordinate(edge_b) * largest_coordinate(edge_c);
+  const double along = std::fabs(coordinate(ray.direction, sheared.kz));
+  // What underflows is far below the bounds, unless the edges are tiny.
+  const bool is_steep = size >= 0x1p-500 && std::fabs(facing) > 0x1p-6 * size * along;
+  const double distance_error = 0x1p-47 * size * largest_coordinate(to_a) + 8 * size * sheared.origin_error;
+  const bool starts_on_it =
+      std::fabs(distance) < distance_error && !(std::fabs(distance) + distance_error < ray.t_min * std::fabs(facing));
+  if (!is_steep || starts_on_it) return false;
+  const double t = distance / facing;
+  const double facing_error = 0x1p-47 * size * along + 8 * size * sheared.direction_error;
+  // One by one: a copy would load pairs of numbers that were stored singly just before, which processors are slow at.
+  meeting.t = t;
+  meeting.t_error = (distance_error + std::fabs(t) * facing_error) * (1 / std::fabs(facing));
+  meeting.weight_b = weights[1];
+  meeting.weight_c = weights[2];
+  meeting.sum = weights[0] + weights[1] + weights[2];
+  return true;
 }
 
 /// Whether the ray's line meets the triangle that was sheared from a, b, c, exactly decided; if so, where.

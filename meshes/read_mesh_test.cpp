@@ -1,6 +1,7 @@
 #include "meshes/read_mesh.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "meshes/mesh_files_for_tests.h"
 
@@ -41,6 +42,26 @@ TEST(ReadMesh, RefusesWhatIsNoReadableFile) {
     EXPECT_EQ(why(missing), missing.string() + ": no such file; expected a mesh file");
     EXPECT_EQ(why(folder), folder.string() + ": not a regular file; expected a mesh file");
   }
+}
+
+TEST(ReadMesh, RefusesAPipeWithoutWaitingForItsWriter) {
+  const auto pipe = test_file("pipe.msh");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  try {
+    read_mesh(pipe);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), pipe.string() + ": not a regular file; expected a mesh file");
+  }
+}
+
+/// A file of /proc says that it has no bytes, and a mapping needs one at least.
+TEST(ReadMesh, AFileWithoutBytesIsEmpty) {
+  EXPECT_EQ(refusal("empty.msh", ""), "empty.msh:1:1: the file is empty; expected the number of vertices");
+  EXPECT_EQ(refusal("empty.ply", ""), "empty.ply:1:1: the line ends; expected ply");
+  const auto link = test_file("link.msh");
+  std::filesystem::create_symlink("/proc/self/status", link);
+  EXPECT_THROW(read_mesh(link), InputError);
 }
 
 }  // namespace

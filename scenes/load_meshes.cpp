@@ -6,20 +6,15 @@
 
 #include "meshes/read_mesh.h"
 #include "renderer/math/input_error.h"
+#include "renderer/math/single_precision.h"
 
 namespace plumb {
 namespace {
 
-/// Volatile, because GCC 12 at -O2 and above drops a plain rounding to float and back where it vectorises this loop.
-double single(double x) {
-  volatile float rounded = static_cast<float>(x);
-  return rounded;
-}
-
 TriangleMesh in_single_precision(TriangleMesh mesh) {
-  for (Point3& p : mesh.positions) p = {single(p.x), single(p.y), single(p.z)};
-  for (Normal3& n : mesh.normals) n = {single(n.x), single(n.y), single(n.z)};
-  for (TexCoord& c : mesh.texcoords) c = {single(c.u), single(c.v)};
+  for (Point3& p : mesh.positions) p = {rounded_to_single(p.x), rounded_to_single(p.y), rounded_to_single(p.z)};
+  for (Normal3& n : mesh.normals) n = {rounded_to_single(n.x), rounded_to_single(n.y), rounded_to_single(n.z)};
+  for (TexCoord& c : mesh.texcoords) c = {rounded_to_single(c.u), rounded_to_single(c.v)};
   return mesh;
 }
 

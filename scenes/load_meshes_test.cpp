@@ -97,5 +97,22 @@ TEST(LoadMeshes, NumbersAreRoundedToSinglePrecision) {
   EXPECT_NE(static_cast<double>(0.1F), 0.1);
 }
 
+/// Enough of them for the compiler's vectorised loops, which have dropped such roundings.
+TEST(LoadMeshes, LongListsAreRoundedToSinglePrecision) {
+  constexpr int kVertices = 1001;
+  std::string text = std::to_string(kVertices) + " 0 triangles";
+  for (const std::string section : {"vertices", "normals", "texcoords"}) {
+    text += " " + section;
+    for (int i = 0; i < kVertices; ++i) text += section == "texcoords" ? " 2.1 3.1" : " 0.1 1.1 2.1";
+  }
+  write_file("long.msh", text);
+  const MeshTable meshes = load("<surface type='Net'><data>long.msh</data></surface>");
+  const TriangleMesh& mesh = *meshes.at("long.msh");
+  const double x = 0.1F, y = 1.1F, z = 2.1F, v = 3.1F;
+  EXPECT_EQ(mesh.positions, std::vector(kVertices, Point3{x, y, z}));
+  EXPECT_EQ(mesh.normals, std::vector(kVertices, Normal3{x, y, z}));
+  EXPECT_EQ(mesh.texcoords, std::vector(kVertices, TexCoord{z, v}));
+}
+
 }  // namespace
 }  // namespace plumb

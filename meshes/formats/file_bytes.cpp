@@ -7,13 +7,18 @@
 
 namespace plumb {
 
-std::string file_bytes(const std::filesystem::path& file) {
+void require_regular_file(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) throw InputError({file.string()}, "no such file; expected a mesh file");
   if (!std::filesystem::is_regular_file(status)) {
     throw InputError({file.string()}, "not a regular file; expected a mesh file");
   }
+}
+
+std::string file_bytes(const std::filesystem::path& file) {
+  require_regular_file(file);
+  std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
   if (error || !in) throw InputError({file.string()}, "cannot be opened; expected a readable mesh file");

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "meshes/formats/plain_number.h"
 #include "meshes/formats/text_cursor.h"
 #include "renderer/math/nearest_name.h"
 
@@ -15,6 +16,45 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kKeywords = {"vertices", "triangles", "texcoords", "normals"};
 enum Section { kVertices, kTriangles, kTexcoords, kNormals };
+
+/// Takes the plain numbers that come next, without a call for each. Between `hand_back` and `resume` the cursor, which
+/// stands before the first number not taken, may be used.
+class PlainNumbers {
+ public:
+  explicit PlainNumbers(TextCursor& cursor) : cursor_(cursor) { resume(); }
+
+  /// False if the next number is not plain.
+  bool take(double& value) {
+    const char* const end = skip_space() ? take_plain_decimal(at_, value) : nullptr;
+    if (end != nullptr) at_ = end;
+    return end != nullptr;
+  }
+  /// Also false if the number is not below the limit.
+  bool take_below(std::uint32_t limit, std::uint32_t& value) {
+    const char* const end = skip_space() ? take_plain_whole(at_, value) : nullptr;
+    const bool taken = end != nullptr && value < limit;
+    if (taken) at_ = end;
+    return taken;
+  }
+
+  void hand_back() { cursor_.take(static_cast<std::size_t>(at_ - begin_)); }
+  void resume() {
+    const std::string_view rest = cursor_.rest();
+    begin_ = at_ = rest.data();
+    end_ = begin_ + std::max<std::ptrdiff_t>(std::ssize(rest) - kPlainNumberReach, 0);
+  }
+
+ private:
+  bool skip_space() {
+    while (at_ < end_ && is_space(*at_)) ++at_;
+    return at_ < end_;
+  }
+
+  TextCursor& cursor_;
+  const char* begin_ = nullptr;
+  const char* at_ = nullptr;
+  const char* end_ = nullptr;  ///< from before here, kPlainNumberReach bytes are readable
+};
 
 class MshReader {
  public:
@@ -76,10 +116,7 @@ class MshReader {
         break;
       case kTexcoords:
         mesh_.texcoords.resize(vertices);
-        for (std::size_t i = 0; i < vertices; ++i) {
-          mesh_.texcoords[i].u = read_number(2 * i, 2 * vertices);
-          mesh_.texcoords[i].v = read_number(2 * i + 1, 2 * vertices);
-        }
+        read_texcoords();
     }
   }
 
@@ -102,29 +139,63 @@ class MshReader {
   template <class Triple>
   void read_triples(std::vector<Triple>& triples) {
     const std::size_t total = 3 * triples.size();
+    PlainNumbers plain(cursor_);
     for (std::size_t i = 0; i < triples.size(); ++i) {
-      triples[i].x = read_number(3 * i, total);
-      triples[i].y = read_number(3 * i + 1, total);
-      triples[i].z = read_number(3 * i + 2, total);
+      triples[i].x = read_number(plain, 3 * i, total);
+      triples[i].y = read_number(plain, 3 * i + 1, total);
+      triples[i].z = read_number(plain, 3 * i + 2, total);
     }
+    plain.hand_back();
+  }
+
+  void read_texcoords() {
+    const std::size_t total = 2 * mesh_.texcoords.size();
+    PlainNumbers plain(cursor_);
+    for (std::size_t i = 0; i < mesh_.texcoords.size(); ++i) {
+      mesh_.texcoords[i].u = read_number(plain, 2 * i, total);
+      mesh_.texcoords[i].v = read_number(plain, 2 * i + 1, total);
+    }
+    plain.hand_back();
   }
 
   void read_triangles() {
-    const std::size_t vertices = mesh_.positions.size();
+    const auto vertices = static_cast<std::uint32_t>(mesh_.positions.size());
     const std::size_t total = 3 * mesh_.triangles.size();
-    for (std::size_t i = 0; i < total; ++i) {
-      const std::string_view word = cursor_.next();
-      std::uint32_t& index = mesh_.triangles[i / 3][i % 3];
-      if (!parse_whole(word, index) || index >= vertices) refuse_index(word, i, total);
+    PlainNumbers plain(cursor_);
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        std::uint32_t& index = mesh_.triangles[i][corner];
+        if (plain.take_below(vertices, index)) continue;
+        plain.hand_back();
+        index = index_of_word(3 * i + corner, total);
+        plain.resume();
+      }
     }
+    plain.hand_back();
   }
 
-  double read_number(std::size_t done, std::size_t total) {
+  double read_number(PlainNumbers& plain, std::size_t done, std::size_t total) {
+    double value = 0;
+    if (plain.take(value)) return value;
+    plain.hand_back();
+    value = number_of_word(done, total);
+    plain.resume();
+    return value;
+  }
+
+  double number_of_word(std::size_t done, std::size_t total) {
     const std::string_view word = cursor_.next();
     double value = 0;
     if (parse_number(word, value)) return value;
     if (word.empty()) end_early(done, total);
     return cursor_.number(word, progress(done, total));
+  }
+
+  std::uint32_t index_of_word(std::size_t done, std::size_t total) {
+    const std::string_view word = cursor_.next();
+    std::uint32_t index = 0;
+    if (!parse_whole(word, index) || index >= mesh_.positions.size()) refuse_index(word, done, total);
+    return index;
   }
 
   [[noreturn]] void refuse_index(std::string_view word, std::size_t done, std::size_t total) const {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "meshes/mesh_files_for_tests.h"
 
 namespace plumb {
@@ -28,6 +32,49 @@ TEST(MshReader, AMeshMayBeEmpty) {
   EXPECT_EQ(read_text("m.msh", "0 0 vertices triangles"), TriangleMesh{});
   EXPECT_EQ(read_text("m.msh", "0\n0\nvertices\ntriangles\nnormals\ntexcoords\n"), TriangleMesh{});
   EXPECT_EQ(read_text("m.msh", "1 0 triangles vertices 1 2 3").positions, (std::vector<Point3>{{1, 2, 3}}));
+}
+
+/// Long and short numbers, with and without exponents, as far into the file as to its last bytes.
+TEST(MshReader, ReadsEveryKindOfNumberAtEveryDistanceFromTheEnd) {
+  const std::vector<std::pair<std::string, double>> numbers = {{"0.1", 0.1},
+                                                               {"-0", -0.0},
+                                                               {"+7", 7},
+                                                               {".5", .5},
+                                                               {"5.", 5},
+                                                               {"1e-7", 1e-7},
+                                                               {"-2.5E3", -2.5e3},
+                                                               {"0.10000000149011612", 0.10000000149011612},
+                                                               {"123456789.123456789", 123456789.123456789},
+                                                               {"0.3333333333333333333333333", 1. / 3},
+                                                               {"9007199254740993", 9007199254740992.},
+                                                               {"4.9e-324", 4.9e-324}};
+  int cases = 0;
+  for (std::size_t padding = 0; padding < 60; ++padding) {
+    std::string text = "12\r\n0\r\ntriangles vertices";
+    for (std::size_t i = 0; i < 36; ++i) text += (i % 3 == 0 ? "\r\n" : " ") + numbers[i % numbers.size()].first;
+    const TriangleMesh mesh = read_text("m.msh", text + std::string(padding, '\n'));
+    for (std::size_t i = 0; i < 36; ++i, ++cases) {
+      const double read = mesh.positions[i / 3][static_cast<int>(i % 3)], expected = numbers[i % numbers.size()].second;
+      ASSERT_EQ(read, expected) << i;
+      ASSERT_EQ(std::signbit(read), std::signbit(expected)) << i;
+    }
+  }
+  EXPECT_EQ(cases, 60 * 36);
+}
+
+/// Behind numbers that are read in the fast way, a wrong one is still found at its place.
+TEST(MshReader, NamesThePlaceOfAWrongNumberFarFromTheEnd) {
+  const std::string behind = std::string(100, '\n') + "triangles\n0 1 0\n" + std::string(100, '\n');
+  const std::string start = "2 1\nvertices\n0.5 0.25\n";
+  EXPECT_EQ(refused(start + "1.5f 0 0 0" + behind),
+            "m.msh:4:1: '1.5f' is not a number; expected number 3 of 6 of the vertices");
+  EXPECT_EQ(refused(start + "0 0 0 1e400" + behind),
+            "m.msh:4:7: '1e400' does not fit double precision; expected number 6 of 6 of the vertices");
+  EXPECT_EQ(refused("2 1\ntriangles\n0\n1\n2\nvertices" + behind),
+            "m.msh:5:1: '2' is out of range; expected a vertex index from 0 to 1 (number 3 of 3 of the triangles)");
+  EXPECT_EQ(refused("2 1\ntriangles\n0\n1 4294967296\nvertices" + behind),
+            "m.msh:4:3: '4294967296' is not a vertex index; expected a vertex index from 0 to 1 (number 3 of 3 of the "
+            "triangles)");
 }
 
 TEST(MshReader, RefusesAnEmptyFile) {

@@ -12,7 +12,6 @@
 #include "meshes/formats/file_bytes.h"
 #include "meshes/formats/mesh_collector.h"
 #include "meshes/formats/open_mesh_turn.h"
-#include "meshes/formats/prepare.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
@@ -100,7 +99,6 @@ class CollectingImporter final : public IO::BaseImporter {
 
 PreparedMesh prepare(const std::string& ending, std::string content, const std::string& file) {
   if (ending == ".obj") return prepare_obj(content, file);
-  if (ending == ".ply") return prepare_ply(content, file);
   return prepare_off(std::move(content), file);
 }
 
@@ -117,9 +115,12 @@ bool run_reader(const std::string& ending, const std::string& file, std::istream
 }  // namespace
 
 TriangleMesh read_with_open_mesh(std::string content, const std::filesystem::path& path, MeshNotes& notes) {
+  return read_with_open_mesh(prepare(lower_case_ending(path), std::move(content), path.string()), path, notes);
+}
+
+TriangleMesh read_with_open_mesh(PreparedMesh prepared, const std::filesystem::path& path, MeshNotes& notes) {
   const std::string file = path.string();
   const std::string ending = lower_case_ending(path);
-  PreparedMesh prepared = prepare(ending, std::move(content), file);
   const bool of_corners = ending == ".obj";
   MeshCollector collector(file,
                           of_corners ? MeshCollector::Attributes::kOfCorners : MeshCollector::Attributes::kOfVertices);

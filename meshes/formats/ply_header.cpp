@@ -105,6 +105,15 @@ std::optional<std::size_t> PlyElement::find(std::string_view property) const {
   return std::nullopt;
 }
 
+std::optional<std::size_t> fixed_size_of(const PlyElement& element) {
+  std::size_t bytes = 0;
+  for (const PlyProperty& property : element.properties) {
+    if (property.count_type) return std::nullopt;
+    bytes += size_of(property.type);
+  }
+  return bytes;
+}
+
 PlyHeader parse_ply_header(TextCursor& cursor, std::size_t total_bytes) {
   PlyHeader header;
   const std::string_view magic = cursor.next_in_line();

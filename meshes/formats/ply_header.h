@@ -34,6 +34,9 @@ struct PlyElement {
   std::optional<std::size_t> find(std::string_view property) const;
 };
 
+/// The size in bytes of one instance in a binary file; nullopt if it has a list.
+std::optional<std::size_t> fixed_size_of(const PlyElement& element);
+
 enum class PlyFormat { kText, kLittleEndian, kBigEndian };
 
 /// What a PLY file says about itself. The views point into the content.

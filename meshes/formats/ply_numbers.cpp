@@ -23,7 +23,7 @@ double as(const std::array<char, 8>& raw) {
 
 }  // namespace
 
-PlyNumbers::PlyNumbers(const std::string& content, std::string file, const TextCursor& at_body, PlyFormat format)
+PlyNumbers::PlyNumbers(std::string_view content, std::string file, const TextCursor& at_body, PlyFormat format)
     : content_(content), file_(std::move(file)), text_(at_body), format_(format), offset_(at_body.position()) {}
 
 double PlyNumbers::take(PlyType type) {

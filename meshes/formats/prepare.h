@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "meshes/mesh_notes.h"
@@ -37,7 +38,7 @@ struct PreparedMesh {
 PreparedMesh prepare_obj(const std::string& content, const std::string& file);
 /// Keeps x y z, nx ny nz, u v (or s t, texture_u texture_v) and vertex_indices, whatever their types and
 /// byte order, as binary little-endian float and int.
-PreparedMesh prepare_ply(const std::string& content, const std::string& file);
+PreparedMesh prepare_ply(std::string_view content, const std::string& file);
 /// Keeps coordinates, normals (N) and texture coordinates (ST); text, or binary in OpenMesh's own form,
 /// which is little-endian. Takes the content over.
 PreparedMesh prepare_off(std::string&& content, const std::string& file);

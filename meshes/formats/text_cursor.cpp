@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "meshes/formats/plain_number.h"
 #include "meshes/mesh_notes.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
 namespace {
-
-bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// std::from_chars takes no '+', and "+-1" must not become -1.
 std::string_view without_plus(std::string_view word) {

@@ -26,6 +26,9 @@ class TextCursor {
   std::size_t bytes_left() const { return text_.size() - position_; }
   /// The offset behind the last word or line that was taken.
   std::size_t position() const { return position_; }
+  /// The text from there on, for a reader that knows its numbers better; `take` tells the cursor how far that came.
+  std::string_view rest() const { return text_.substr(position_); }
+  void take(std::size_t bytes) { position_ += bytes; }
 
   /// The finite number that `word` spells in decimal, with or without a sign. Otherwise throws InputError
   /// at the word: what is wrong with it, and that `expected` was expected.

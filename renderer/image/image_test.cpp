@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "renderer/image/picture_bytes_for_tests.h"
@@ -153,6 +154,24 @@ TEST(WriteImage, RefusesOtherEndingsAndPlacesThatDoNotExist) {
   std::filesystem::create_directories(picture_test_file("folder.png"));
   EXPECT_THAT(refusal("folder.png"), HasSubstr("this is a folder"));
   EXPECT_EQ(refusal("good.png"), "");
+}
+
+bool is_in_memory(const std::string& library) {
+  const std::string maps = bytes_of("/proc/self/maps");
+  return maps.find(library) != std::string::npos;
+}
+
+/// In a process of its own, because other tests load the module.
+TEST(PictureModule, IsLoadedByTheFirstPictureThatNeedsIt) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto png_then_exr = [] {
+    write_image(sample_image(), picture_test_file("a.png"));
+    read_picture(picture_test_file("a.png"));
+    const bool for_png = is_in_memory("libOpenImageIO");
+    write_image(sample_image(), picture_test_file("a.exr"));
+    std::_Exit(for_png ? 1 : is_in_memory("libOpenImageIO") ? 0 : 2);
+  };
+  EXPECT_EXIT(png_then_exr(), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

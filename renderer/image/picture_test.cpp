@@ -84,6 +84,25 @@ TEST(ReadPicture, AlphaIsReportedAndNotMultipliedIn) {
   EXPECT_TRUE(palette.transparent);
 }
 
+TEST(ReadPicture, ATransparentColorOfAPngCountsAsAlpha) {
+  const std::string seven = png_chunk("tRNS", "\0\x07"s);
+  EXPECT_TRUE(decoded("key.png", png_bytes(2, 1, 8, 0, "\0\x08\x07"s, seven)).transparent);
+  EXPECT_FALSE(decoded("key.png", png_bytes(2, 1, 8, 0, "\0\x08\x09"s, seven)).transparent);
+}
+
+TEST(ReadPicture, GammaOfAPngIsNotApplied) {
+  const std::string linear = png_chunk("gAMA", big_endian_bytes(100000));
+  EXPECT_THAT(decoded("gamma.png", png_bytes(1, 1, 8, 2, "\0\x01\x80\xfe"s, linear)).samples, ElementsAre(1, 128, 254));
+}
+
+/// Adam7 [PNG, section 8.2]: of 2 x 2 pixels the first pass has (0, 0), the sixth (1, 0), the seventh the second row.
+TEST(ReadPicture, InterlacedPngsAreInOrder) {
+  const std::string size = big_endian_bytes(2) + big_endian_bytes(2);
+  const std::string bytes = "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", size + "\x08\0\0\0\x01"s) +
+                            png_chunk("IDAT", zlib_stored("\0\x01\0\x02\0\x03\x04"s)) + png_chunk("IEND", "");
+  EXPECT_THAT(decoded("adam7.png", bytes).samples, ElementsAre(1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4));
+}
+
 TEST(ReadPicture, PortablePixmapsInTextAndBytes) {
   EXPECT_THAT(decoded("a.ppm", "P3\n# a comment\n2 1\n255\n1 2 3\n253 254 255\n").samples,
               ElementsAre(1, 2, 3, 253, 254, 255));

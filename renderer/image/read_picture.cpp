@@ -1,98 +1,17 @@
 #include "renderer/image/read_picture.h"
 
-#include <OpenImageIO/imageio.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <memory>
-
 #include "renderer/image/picture_header.h"
+#include "renderer/image/picture_module.h"
+#include "renderer/image/png_file.h"
 
 namespace plumb {
-namespace {
-
-/// Where red, green, blue and alpha stand among a file's channels; alpha is -1 without one.
-struct ChannelOrder {
-  std::array<int, 3> rgb{0, 0, 0};
-  int alpha = -1;
-};
-
-ChannelOrder channel_order(const OIIO::ImageSpec& spec) {
-  ChannelOrder order;
-  if (spec.nchannels >= 3) order.rgb = {0, 1, 2};
-  const auto index = [&](const char* name) { return spec.channelindex(name); };
-  if (index("R") >= 0 && index("G") >= 0 && index("B") >= 0) order.rgb = {index("R"), index("G"), index("B")};
-  order.alpha = spec.alpha_channel;
-  return order;
-}
-
-/// What the library says, without the folder that the file lies in: such texts are kept with results.
-std::string said(const OIIO::ImageInput& input, const std::filesystem::path& file) {
-  std::string text = input.geterror();
-  text = text.substr(0, text.find('\n'));  // the library says the same again on further lines
-  const std::string path = file.string();
-  for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at))
-    text.replace(at, path.size(), file.filename().string());
-  return text;
-}
-
-/// Samples of every channel, unsigned integers brought to levels 0 to 255 and floats left alone.
-std::vector<float> read_channels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, PictureFormat format,
-                                 const std::filesystem::path& file) {
-  const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                            static_cast<std::size_t>(spec.nchannels);
-  const auto read = [&](OIIO::TypeDesc type, void* to) {
-    if (!input.read_image(0, 0, 0, spec.nchannels, type, to)) throw BadPicture("it is damaged: " + said(input, file));
-  };
-  std::vector<float> samples(count);
-  if (format == PictureFormat::exr) {
-    read(OIIO::TypeDesc::FLOAT, samples.data());
-  } else if (spec.format == OIIO::TypeDesc::UINT8) {
-    std::vector<std::uint8_t> levels(count);
-    read(OIIO::TypeDesc::UINT8, levels.data());
-    std::copy(levels.begin(), levels.end(), samples.begin());
-  } else {
-    std::vector<std::uint16_t> levels(count);
-    read(OIIO::TypeDesc::UINT16, levels.data());
-    std::transform(levels.begin(), levels.end(), samples.begin(),
-                   [](std::uint16_t v) { return static_cast<float>(v) / 257.0F; });
-  }
-  return samples;
-}
-
-/// An EXR file may name thousands of channels, each of which would take the picture's size in memory.
-constexpr int kMostChannels = 16;
-
-}  // namespace
 
 Picture read_picture(const std::filesystem::path& file) {
   const PictureHeader header = read_picture_header(file);
-  // The plug-in is named, because by default files are recognised by content whatever their name.
-  const char* plugin = header.format == PictureFormat::png   ? "png"
-                       : header.format == PictureFormat::exr ? "openexr"
-                                                             : "pnm";
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(plugin);
-  if (!input) throw std::runtime_error(std::string("OpenImageIO has no reader for ") + plugin);
-  OIIO::ImageSpec spec;
-  OIIO::ImageSpec wish;
-  wish.attribute("oiio:UnassociatedAlpha", 1);
-  if (!input->open(file.string(), spec, wish)) throw BadPicture("it cannot be decoded: " + said(*input, file));
-  if (spec.width != header.width || spec.height != header.height || spec.depth > 1 || spec.nchannels < 1 ||
-      spec.nchannels > kMostChannels || spec.deep) {
-    throw BadPicture("its content does not fit its header");
-  }
-
-  Picture picture{header.format, header.width, header.height, {}, false};
-  const std::vector<float> channels = read_channels(*input, spec, header.format, file);
-  const ChannelOrder order = channel_order(spec);
-  const float opaque = picture.is_linear() ? 1.0F : 255.0F;
-  const std::size_t stride = static_cast<std::size_t>(spec.nchannels);
-  picture.samples.reserve(channels.size() / stride * 3);
-  for (std::size_t at = 0; at < channels.size(); at += stride) {
-    for (const int channel : order.rgb) picture.samples.push_back(channels[at + static_cast<std::size_t>(channel)]);
-    if (order.alpha >= 0 && channels[at + static_cast<std::size_t>(order.alpha)] < opaque) picture.transparent = true;
-  }
+  if (header.format == PictureFormat::png) return decode_png(file, header);
+  Picture picture;
+  const std::string defect = picture_module().decode(file, header, picture);
+  if (!defect.empty()) throw BadPicture(defect);
   return picture;
 }
 

@@ -1,32 +1,15 @@
 #include "renderer/image/write_image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
-#include <memory>
 #include <vector>
 
+#include "renderer/image/picture_module.h"
+#include "renderer/image/png_file.h"
 #include "renderer/image/staged_file.h"
 #include "renderer/math/input_error.h"
 #include "renderer/math/nearest_name.h"
 
 namespace plumb {
 namespace {
-
-/// Encodes in memory, so that nothing half-written ever has the file's name.
-void encode_and_write(const char* plugin, OIIO::TypeDesc type, const void* samples, int width, int height,
-                      const std::filesystem::path& file) {
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
-  if (!output) throw std::runtime_error(std::string("OpenImageIO has no writer for ") + plugin);
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const OIIO::ImageSpec spec(width, height, 3, type);
-  if (!output->set_ioproxy(&memory) || !output->open(file.filename().string(), spec) ||
-      !output->write_image(type, samples) || !output->close()) {
-    throw InputError({file.string()}, "cannot encode the picture: " + output->geterror());
-  }
-  write_file_staged(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
 
 bool is_exr(const std::filesystem::path& file) { return equal_ignoring_case(file.extension().string(), ".exr"); }
 bool is_png(const std::filesystem::path& file) { return equal_ignoring_case(file.extension().string(), ".png"); }
@@ -44,11 +27,14 @@ void write_image(const Image& image, const std::filesystem::path& file) {
   for (const Color& c : image.pixels()) {
     samples.insert(samples.end(), {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)});
   }
-  encode_and_write("openexr", OIIO::TypeDesc::FLOAT, samples.data(), image.width(), image.height(), file);
+  std::string bytes;
+  const std::string fault = picture_module().encode_exr(samples, image.width(), image.height(), bytes);
+  if (!fault.empty()) throw InputError({file.string()}, "cannot encode the picture: " + fault);
+  write_file_staged(file, bytes);
 }
 
 void write_png(std::span<const std::uint8_t> levels, int width, int height, const std::filesystem::path& file) {
-  encode_and_write("png", OIIO::TypeDesc::UINT8, levels.data(), width, height, file);
+  write_file_staged(file, encode_png(levels, width, height));
 }
 
 void require_image_writable(const std::filesystem::path& file) {

@@ -42,7 +42,8 @@ struct Library {
 const std::vector<Library>& libraries() {
   static const std::vector<Library> table{
       {"OpenImageIO/", {"renderer/image/"}},
-      {"OpenMesh/", {"meshes/"}},
+      {"png.h", {"renderer/image/"}},
+      {"OpenMesh/", {"meshes/", "bench/load_bench.cpp"}},
       {"pugixml", {"scenes/"}},
       {"CGAL/", {"reference/", "meshes/validation/self_intersections.cpp", "tools/kernels/cgal.cpp"}},
       {"embree3/", {"tools/kernels/embree.cpp"}},

@@ -8,8 +8,6 @@ namespace plumb {
 struct Bvh8Options {
   /// How many threads may build. What rays find does not depend on it.
   int threads = 1;
-  /// Splits the boxes of large triangles, which takes longer and pays where they are long and thin.
-  bool spatial_splits = false;
 };
 
 /// The hierarchy of a mesh. Triangles with a number that is not finite are left out: no ray hits them.

@@ -46,7 +46,7 @@ const std::vector<Library>& libraries() {
       {"OpenMesh/", {"meshes/", "bench/load_bench.cpp"}},
       {"pugixml", {"scenes/"}},
       {"CGAL/", {"reference/", "meshes/validation/self_intersections.cpp", "tools/kernels/cgal.cpp"}},
-      {"embree3/", {"tools/kernels/embree.cpp"}},
+      {"embree3/", {"tools/kernels/embree.cpp", "bench/peers/embree.cpp"}},
       {"gmp", {"reference/"}},
       {"mpfr", {"reference/", "meshes/generators/correctly_rounded.cpp", "renderer/math/rotation.cpp"}},
       {"toml++/", {"conformance/judge/"}},

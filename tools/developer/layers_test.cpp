@@ -22,11 +22,13 @@ TEST(Layers, FaultyIncludesAreCaught) {
   EXPECT_NE(include_fault("renderer/scene.cpp", "scene.h", true), "");
   EXPECT_NE(include_fault("renderer/scene.cpp", "OpenImageIO/imageio.h", false), "");
   EXPECT_NE(include_fault("renderer/math/transform.cpp", "mpfr.h", false), "");
+  EXPECT_NE(include_fault("bench/race/arena.cpp", "embree3/rtcore.h", false), "");
 }
 
 TEST(Layers, RightIncludesPass) {
   EXPECT_EQ(include_fault("examples/x/tracer.cpp", "search.h", true), "");
   EXPECT_EQ(include_fault("renderer/math/rotation.cpp", "mpfr.h", false), "");
+  EXPECT_EQ(include_fault("bench/peers/embree.cpp", "embree3/rtcore.h", false), "");
   EXPECT_EQ(include_fault("renderer/scene.cpp", "renderer/image/image.h", true), "");
   EXPECT_EQ(include_fault("renderer/image/image.cpp", "renderer/math/vec3.h", true), "");
   EXPECT_EQ(include_fault("tools/plumb/main.cpp", "conformance/judge/grade.h", true), "");

@@ -117,7 +117,7 @@ class MeshSearch {
 
 class PlumbKernel {
  public:
-  explicit PlumbKernel(std::span<const plumb_surface> surfaces) : scene_(contents_of(surfaces), Accel::bvh2) {}
+  explicit PlumbKernel(std::span<const plumb_surface> surfaces) : scene_(contents_of(surfaces), Accel::bvh8) {}
 
   Hit closest(const Ray& ray) const {
     TraceCounters counters;
@@ -172,7 +172,7 @@ class PlumbKernel {
     std::vector<std::shared_ptr<MeshSearch>> search_of;
     MeshTable meshes;
     std::vector<std::string> warnings;
-    SurfaceContext context{meshes, Accel::bvh2, warnings};
+    SurfaceContext context{meshes, Accel::bvh8, warnings};
     for (const plumb_surface& from : surfaces) {
       const plumb_mesh& mesh = from.mesh;
       std::size_t index = contents.surfaces.size();

@@ -105,7 +105,7 @@ class MeshSearch {
         hits.push_back({surface, i, hit->t, hit->u, hit->v});
       return false;
     };
-    hierarchy_->walk(ray.object, counters, test, ray.drift(largest_));
+    hierarchy_->walk(ray.object(), counters, test, ray.drift(largest_));
   }
 
  private:
@@ -138,7 +138,7 @@ class PlumbKernel {
       if (searches_[i])
         searches_[i]->all(own, i, hits);
       else
-        all_of_solid(own.object, i, hits);
+        all_of_solid(own.object(), i, hits);
     }
   }
 

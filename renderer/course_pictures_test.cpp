@@ -52,7 +52,7 @@ class CoursePicture : public ::testing::TestWithParam<Course> {};
 
 TEST_P(CoursePicture, HasNoDifferentSample) {
   const Picture expected = read_picture(file_of(GetParam()) + ".soln.png");
-  const Image image = rendered(GetParam(), Accel::bvh2, {}, 0);
+  const Image image = rendered(GetParam(), Accel::bvh8, {}, 0);
   ASSERT_EQ(image.width(), expected.width);
   ASSERT_EQ(image.height(), expected.height);
   const std::vector<std::uint8_t> levels = levels_of(image);
@@ -66,10 +66,12 @@ TEST_P(CoursePicture, HasNoDifferentSample) {
   EXPECT_GT(lit, levels.size() / 100);
 }
 
-TEST_P(CoursePicture, IsTheSameByLinearSearchAndOnAnyNumberOfThreads) {
+TEST_P(CoursePicture, IsTheSameByAnySearchAndOnAnyNumberOfThreads) {
   const Image linear = rendered(GetParam(), Accel::linear, GetParam().linear_size, 2);
-  EXPECT_TRUE(same_bits(linear, rendered(GetParam(), Accel::bvh2, GetParam().linear_size, 2)));
-  EXPECT_TRUE(same_bits(linear, rendered(GetParam(), Accel::bvh2, GetParam().linear_size, 1)));
+  for (const Accel accel : {Accel::bvh2, Accel::bvh8}) {
+    EXPECT_TRUE(same_bits(linear, rendered(GetParam(), accel, GetParam().linear_size, 2)));
+    EXPECT_TRUE(same_bits(linear, rendered(GetParam(), accel, GetParam().linear_size, 1)));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Courses, CoursePicture, ::testing::ValuesIn(kScenes), [](const auto& row) {

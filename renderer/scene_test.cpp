@@ -29,7 +29,7 @@ TEST(Scene, OfCoincidentSurfacesTheFirstInTheFileIsHit) {
   std::uniform_real_distribution<double> u(-1, 1);
   int hits = 0, misses = 0;
   for (const std::string& shape : shapes) {
-    for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+    for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
       const ReadScene read = scene_of(others + shape + shape + others + shape, with(accel));
       for (int i = 0; i < 2000; ++i) {
         const Point3 from{3 * u(random), 3 * u(random), 3 * u(random)};
@@ -50,7 +50,7 @@ TEST(Scene, TiesAreDecidedAcrossGroups) {
   const std::string first =
       "<surface type='Group'><translate>2 0 0</translate><surface type='Group'><translate>-2 0 0</translate><surface "
       "type='Sphere'/></surface></surface>";
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     EXPECT_EQ(
         closest(scene_of(first + "<surface type='Sphere'/>", with(accel)).scene, {{0.5, 0.25, 3}, {0, 0, -1}})->placed,
         0u);
@@ -109,7 +109,7 @@ TEST(Scene, OfTrianglesWhoseTRoundsAlikeTheExactlyNearerOneIsHit) {
   const std::string far = "<surface type='Mesh'><data>far.msh</data></surface>";
   const Ray ray{{0.25, 0.25, -0x1p40}, {0, 0, 3}};
   int scenes = 0;
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     for (const bool near_first : {true, false}) {
       const ReadScene read =
           scene_of(near_first ? near + far : far + near, {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
@@ -118,7 +118,7 @@ TEST(Scene, OfTrianglesWhoseTRoundsAlikeTheExactlyNearerOneIsHit) {
       ++scenes;
     }
   }
-  EXPECT_EQ(scenes, 4);
+  EXPECT_EQ(scenes, 6);
 }
 
 TEST(Scene, OfATriangleInTheFaceOfABoxTheFirstInTheFileIsHit) {
@@ -191,7 +191,7 @@ TEST(Scene, MirroredSurfacesKeepTheirOutwardNormals) {
 
 TEST(Scene, WithoutSurfacesIsEmpty) {
   TraceCounters counters;
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const ReadScene read = scene_of("", with(accel));
     EXPECT_FALSE(closest(read.scene, {{0, 0, 0}, {0, 0, 1}}));
     EXPECT_FALSE(read.scene.blocks({{0, 0, 0}, {0, 0, 1}}, counters));

@@ -202,6 +202,17 @@ class Gatherer {
   std::atomic<int> helpers_;
 };
 
+/// Those whose numbers are all finite, moved to the front.
+std::span<TriangleBox> finite_ones(const TriangleMesh& mesh, std::span<TriangleBox> boxes) {
+  if (std::ranges::all_of(mesh.positions, is_finite)) return boxes;
+  const auto has_other = [&](const TriangleBox& box) {
+    const auto& [a, b, c] = mesh.triangles[box.triangle()];
+    return !(is_finite(mesh.positions[a]) && is_finite(mesh.positions[b]) && is_finite(mesh.positions[c]));
+  };
+  const auto others = std::ranges::remove_if(boxes, has_other);
+  return boxes.first(boxes.size() - others.size());
+}
+
 }  // namespace
 
 Bvh8Tree build_bvh8(const TriangleMesh& mesh, const Bvh8Options& options) {
@@ -219,9 +230,8 @@ Bvh8Tree build_bvh8(const TriangleMesh& mesh, const Bvh8Options& options) {
       boxes[i].set_triangle(static_cast<std::uint32_t>(i));
     }
   });
-  // TODO non-finite
-  if (boxes.size() == 0) return tree;
-  std::span<TriangleBox> all(boxes.data(), boxes.size());
+  const std::span<TriangleBox> all = finite_ones(mesh, {boxes.data(), boxes.size()});
+  if (all.empty()) return tree;
   const MappedArray<BinaryNode> binary = build_binary_tree(mesh, all, options.threads);
   Gatherer(mesh, vertices, all, {binary.data(), binary.size()}, tree, options.threads).gather();
   return tree;

@@ -155,7 +155,7 @@ Figures shoot(const Closed& closed, int scenes, int rays, double condition, unsi
     const auto build = [&](Accel accel) {
       return scene_of(text, {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
     };
-    const ReadScene linear = build(Accel::linear), bvh2 = build(Accel::bvh2);
+    const ReadScene linear = build(Accel::linear), bvh2 = build(Accel::bvh2), bvh8 = build(Accel::bvh8);
     for (int i = 0; i < rays; ++i) {
       const Transform& world_from_object = linear.scene.placed()[i % 2].world_from_object;
       const auto& m = world_from_object.matrix();
@@ -165,13 +165,15 @@ Figures shoot(const Closed& closed, int scenes, int rays, double condition, unsi
       const Point3 target = i % 4 == 0 ? inside + u.vector(1) : closed.targets[u.below(closed.targets.size())];
       const Point3 from = world_from_object(inside);
       const Ray ray{from, world_from_object(target) - from};
-      const auto found = bvh2.scene.closest_hit(ray, counters);
+      const auto found = bvh8.scene.closest_hit(ray, counters);
       figures.escapes += !found.has_value();
       if (figures.escapes == 1 && !found) ADD_FAILURE() << "scene " << s << ", first escape: " << shown(ray);
       // From outside and past it too.
       const Ray back{ray.at(1.5), -1.0 * ray.direction};
       for (const Ray& each : {ray, back}) {
-        const bool same = same_hit(linear.scene.closest_hit(each, counters), bvh2.scene.closest_hit(each, counters));
+        const auto hit = linear.scene.closest_hit(each, counters);
+        const bool same = same_hit(hit, bvh2.scene.closest_hit(each, counters)) &&
+                          same_hit(hit, bvh8.scene.closest_hit(each, counters));
         figures.different += !same;
         if (figures.different == 1 && !same) ADD_FAILURE() << "scene " << s << ", first difference: " << shown(each);
       }

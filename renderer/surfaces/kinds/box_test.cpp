@@ -128,7 +128,7 @@ TEST(InvertedBox, IsFoundByTheHierarchyAsByLinearSearch) {
   const std::string elements =
       "<surface type='Sphere'><center>0 0 -4</center></surface><surface type='Box'><minPt>-5 -6 3.1</minPt><maxPt>5 6 "
       "3</maxPt></surface>";
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const ReadScene read = scene_of(elements, {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
     TraceCounters counters;
     const auto hit = read.scene.closest_hit({{0, 0, 10}, {0, 0, -1}}, counters);

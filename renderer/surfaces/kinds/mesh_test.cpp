@@ -11,7 +11,7 @@ namespace plumb {
 namespace {
 
 /// A mesh whose numbers are all floats, so that reading it changes none.
-OneSurface surface_of(const TriangleMesh& mesh, Accel accel = Accel::bvh2) {
+OneSurface surface_of(const TriangleMesh& mesh, Accel accel = Accel::bvh8) {
   write_msh(mesh, scene_test_file("mesh.msh"));
   return OneSurface("<surface type='Mesh'><data>mesh.msh</data></surface>",
                     {.overrides = {}, .fresnel = Fresnel::exact, .accel = accel});
@@ -49,7 +49,7 @@ TEST(Mesh, GivenNormalsAreInterpolatedByBarycentricWeights) {
 TEST(Mesh, TheLowestTriangleWinsATie) {
   TriangleMesh twice = quad();
   twice.triangles = {{0, 2, 3}, {0, 1, 2}, {0, 1, 2}, {1, 2, 0}};
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const OneSurface mesh = surface_of(twice, accel);
     EXPECT_EQ(mesh.hit({{1.5, 0.5, 3}, {0, 0, -1}})->part, 1u);
     EXPECT_EQ(mesh.hit({{1, 1, 3}, {0, 0, -1}})->part, 0u) << "on the shared edge";
@@ -67,7 +67,7 @@ TEST(Mesh, RangeIsClosedAtBothEnds) {
 TEST(Mesh, WithoutTrianglesIsNeverHit) {
   TriangleMesh empty;
   empty.positions = {{0, 0, 0}};
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const OneSurface mesh = surface_of(empty, accel);
     EXPECT_FALSE(mesh.hit({{0, 0, 3}, {0, 0, -1}}));
     EXPECT_TRUE(mesh->bounds().empty());
@@ -81,7 +81,7 @@ TEST(Mesh, BoundsLeaveOutVerticesThatNoTriangleUses) {
 }
 
 TEST(Mesh, RayWithNanHitsNothing) {
-  for (const Accel accel : {Accel::linear, Accel::bvh2}) {
+  for (const Accel accel : {Accel::linear, Accel::bvh2, Accel::bvh8}) {
     const OneSurface mesh = surface_of(quad(), accel);
     EXPECT_TRUE(mesh.hit({{0.1, 0.2, 5}, {0, 0, -1}}));
     int rays = 0;

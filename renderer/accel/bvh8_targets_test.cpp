@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "meshes/generators/icosphere.h"
+#include "renderer/accel/bvh8.h"
+#include "renderer/accel/searches_for_tests.h"
+
+// What must not change a hit: the instruction set, the number of threads that built, the depth, the frame.
+
+namespace plumb {
+namespace {
+
+struct Answer {
+  std::optional<SurfaceHit> hit;
+  bool any;
+  TraceCounters counters;
+};
+
+std::vector<Answer> answers(const Bvh8& bvh8, const std::vector<PlacedRay>& rays) {
+  std::vector<Answer> all;
+  for (const PlacedRay& ray : rays) {
+    Answer answer;
+    answer.hit = bvh8.closest(ray, answer.counters);
+    answer.any = bvh8.any(ray, answer.counters);
+    all.push_back(answer);
+  }
+  return all;
+}
+
+std::vector<PlacedRay> placed(const std::vector<Ray>& rays) { return {rays.begin(), rays.end()}; }
+
+TEST(Bvh8, EveryInstructionSetFindsTheSameHitsByTheSameSteps) {
+  SearchRandom u(21);
+  std::vector<TriangleMesh> meshes{in_single_precision(icosphere(3)),
+                                   icosphere(3),
+                                   cube_of_squares(-4, 8),
+                                   triangle_soup(u, 1000, 0.3),
+                                   moved(icosphere(2), 1e-24, {}),
+                                   moved(triangle_soup(u, 300, 0.5), 1, {1e5, -1e4, 1e6})};
+  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  EXPECT_GE(targets.size(), 2u) << "the baseline and this processor's";
+  int compared = 0, hits = 0, different = 0;
+  for (const TriangleMesh& mesh : meshes) {
+    Bounds3 bounds;
+    for (const Point3& p : mesh.positions) bounds.extend(p);
+    std::vector<Ray> rays = aimed_rays(mesh, u, 4000, bounds.center(), largest_coordinate(bounds.max - bounds.min));
+    for (std::size_t i = 0; i < rays.size(); i += 7) rays[i].direction[static_cast<int>(i % 3)] = u.sign() * 0.0;
+    const std::vector<PlacedRay> asked = placed(rays);
+    const Bvh8 bvh8(std::make_shared<const TriangleMesh>(mesh));
+    const std::vector<Answer> expected = answers(bvh8, asked);
+    for (const std::int64_t target : targets) {
+      hwy::GetChosenTarget().Update(target);
+      const std::vector<Answer> found = answers(bvh8, asked);
+      hwy::GetChosenTarget().DeInit();
+      for (std::size_t i = 0; i < found.size(); ++i, ++compared) {
+        hits += found[i].hit.has_value();
+        const bool same = same_hit(found[i].hit, expected[i].hit) && found[i].any == expected[i].any &&
+                          found[i].counters == expected[i].counters;
+        if (!same && ++different == 1)
+          ADD_FAILURE() << hwy::TargetName(target) << ": " << shown(rays[i], found[i].hit) << ", else "
+                        << shown(rays[i], expected[i].hit) << "; " << found[i].counters.node_visits << " and "
+                        << expected[i].counters.node_visits << " nodes";
+      }
+    }
+  }
+  EXPECT_EQ(compared, static_cast<int>(6 * 4000 * targets.size()));
+  EXPECT_GT(hits, compared / 2);
+  EXPECT_EQ(different, 0);
+}
+
+TEST(Bvh8, IsTheSameWhateverNumberOfThreadsBuiltIt) {
+  SearchRandom u(22);
+  int compared = 0, hits = 0, different = 0;
+  for (const TriangleMesh& mesh : {icosphere(5), triangle_soup(u, 30000, 0.05)}) {
+    const auto shared = std::make_shared<const TriangleMesh>(mesh);
+    const std::vector<Ray> rays = aimed_rays(mesh, u, 5000, {}, 2);
+    const Bvh8 alone(shared);
+    const std::vector<Answer> expected = answers(alone, placed(rays));
+    for (const int threads : {2, 3, 8}) {
+      const Bvh8 together(shared, {.threads = threads});
+      const std::vector<Answer> found = answers(together, placed(rays));
+      for (std::size_t i = 0; i < found.size(); ++i, ++compared) {
+        hits += found[i].hit.has_value();
+        const bool same = same_hit(found[i].hit, expected[i].hit) && found[i].any == expected[i].any;
+        if (!same && ++different == 1) ADD_FAILURE() << threads << " threads: " << shown(rays[i], expected[i].hit);
+      }
+    }
+  }
+  EXPECT_EQ(compared, 30000);
+  EXPECT_GT(hits, 15000);
+  EXPECT_EQ(different, 0);
+}
+
+TEST(Bvh8, FindsTheSameHitsWhereEverySplitPeelsOffATriangle) {
+  // Sizes and places that grow make a split by area take a single one off; by 10 each they leave the range of floats,
+  // too.
+  int meshes = 0;
+  for (const double growth : {10.0, 1.25, 1.05}) {
+    TriangleMesh mesh;
+    std::vector<Ray> rays;
+    for (int i = 0; i < 600; ++i) {
+      const double x = std::pow(growth, i - 300);
+      add_triangle(mesh, {x, -1, -1}, {2 * x, 1, -1}, {x, 0, 1});
+      add_triangle(mesh, {-x, -x, 0}, {-2 * x, x, -x}, {-x, 0, x});
+      for (const double at : {1.0, 0.75}) {
+        rays.push_back({{at * x, 0.01, 0.1}, {1, 0, 0}});
+        rays.push_back({{at * -x, 0.01 * x, 0.1 * x}, {-1, 0, 0}});
+        rays.push_back({{at * x, 0.01, 0.1}, {x, 0, 0}, 0, at});
+      }
+    }
+    SearchComparison compare(mesh);
+    const SearchTally tally = compare(rays);
+    EXPECT_EQ(tally.rays, 3600);
+    EXPECT_GT(tally.hits, 2000) << growth;
+    ++meshes;
+  }
+  EXPECT_EQ(meshes, 3);
+}
+
+/// A rotation, axis by axis, of numbers that are rounded: what is asked for is a condition, not orthogonality.
+AffineMatrix turned(SearchRandom& u, double condition, double offset) {
+  AffineMatrix matrix{};
+  const auto factor = [&](int i) { return u.sign() * std::pow(condition, (i - 1) / 2.0); };
+  const Vec3 scale{factor(0), factor(1), factor(2)};
+  const Vec3 x = normalized(u.vector()), y = normalized(cross(x, u.vector())), z = cross(x, y);
+  const Vec3 a = normalized(u.vector()), b = normalized(cross(a, u.vector())), c = cross(a, b);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int row = static_cast<int>(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int column = static_cast<int>(k);
+      matrix[i][k] = x[row] * scale.x * a[column] + y[row] * scale.y * b[column] + z[row] * scale.z * c[column];
+    }
+    matrix[i][3] = offset * u();
+  }
+  return matrix;
+}
+
+TEST(Bvh8, FindsTheSameHitsOfPlacedMeshes) {
+  SearchRandom u(23);
+  SearchTally sum;
+  int mirrored = 0, nearest = 0;
+  SearchComparison meshes[] = {SearchComparison(in_single_precision(icosphere(2))), SearchComparison(icosphere(2)),
+                               SearchComparison(cube_of_squares(-4, 8)), SearchComparison(triangle_soup(u, 300, 0.5)),
+                               SearchComparison(moved(icosphere(2), 1, {1e4, 3e3, -1e4}))};
+  for (SearchComparison& compare : meshes) {
+    const Point3 center = compare.mesh().positions[0].x > 1e3 ? Point3{1e4, 3e3, -1e4} : Point3{};
+    for (int i = 0; i < 120; ++i) {
+      const double condition = std::pow(10.0, 6.0 * (i % 4) / 3),
+                   offset = i % 5 ? std::pow(10.0, 6.0 * (i % 5) / 4) : 0;
+      const Transform transform(turned(u, condition, offset));
+      const AffineMatrix& m = transform.matrix();
+      mirrored += dot(cross(Vec3{m[0][0], m[1][0], m[2][0]}, Vec3{m[0][1], m[1][1], m[2][1]}),
+                      Vec3{m[0][2], m[1][2], m[2][2]}) < 0;
+      for (const Ray& own : aimed_rays(compare.mesh(), u, 100, center, 3)) {
+        const Point3 from = transform(own.origin);
+        const Ray ray{from, transform(own.at(1)) - from};
+        PlacedRay there(ray, transform);
+        const auto hit = compare(there);
+        if (!hit) continue;
+        there.nearest = hit->t + hit->t_error;
+        nearest += compare(there).has_value();
+      }
+    }
+    sum += compare.tally();
+  }
+  EXPECT_EQ(sum.rays - nearest, 5 * 120 * 100);
+  EXPECT_GT(sum.hits, 60000);
+  EXPECT_GT(nearest, 30000);
+  EXPECT_GT(mirrored, 200);
+  EXPECT_EQ(sum.different, 0);
+}
+
+}  // namespace
+}  // namespace plumb

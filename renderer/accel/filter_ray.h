@@ -28,6 +28,8 @@ struct FilterRay {
   float shear_x, shear_y;
   /// A weight is off by less than weight_error * (sum of the six |sheared coordinates|) + weight_error_constant.
   float weight_error, weight_error_constant;
+  /// The reciprocal of the direction's longest coordinate, and how far off the t of a vertex' plane across that axis may be.
+  float reciprocal_z, reciprocal_size_z, depth_error;
   /// The range in the frame, rounded outward; t_min >= 0.
   float t_min, t_max;
   /// frame t = (t - t_start) * t_factor, for an end of the range.

@@ -165,7 +165,7 @@ class Walk {
     // Rejected: lowest < -error and highest > error.
     const std::uint32_t kept = at_most(negative(error), lowest) | at_most(highest, error);
     const std::uint32_t candidates = kept & leaf.present;
-    if (candidates == 0 || (filter_.t_min == 0 && t_max == std::numeric_limits<float>::infinity())) return candidates;
+    if (candidates == 0 || (filter_.t_min < 0x1p-100F && t_max == std::numeric_limits<float>::infinity())) return candidates;
 
     // t is that of the first corner's plane and, over det, `rise`: how much that of the two others differs, by weight. Signs are turned so
     // that det > 0.
@@ -237,7 +237,7 @@ bool prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filt
   if (searched.tree.lines.size() == 0 ||
       make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter) == FilterRay::Fate::misses)
     return false;
-  filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
+  if (ray.nearest < ray.object().t_max) filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
   return true;
 }
 

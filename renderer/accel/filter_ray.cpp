@@ -22,10 +22,6 @@ double largest(const Triple& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
-/// The ends of a range, t >= 0, by at most three floats too wide; without a branch that the processor would have to guess.
-float wide_start(double t) { return static_cast<float>(t) * (1 - 0x1p-23F); }
-float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-126F; }
-
 /// A ray in the frame, in doubles, and the most that any of its coordinates is off.
 struct FrameRay {
   Point3 origin;
@@ -63,11 +59,6 @@ bool move_near(FrameRay& ray, const FilterFrame& frame, double& moved) {
 }
 
 }  // namespace
-
-float FilterRay::frame_t_max(double t) const {
-  const double moved = (t - t_start) * t_factor;
-  return wide_end(moved + 0x1p-50 * (std::fabs(t) + std::fabs(t_start)) * t_factor);
-}
 
 namespace {
 

@@ -30,7 +30,7 @@ class ClosestTriangle {
   }
 
   /// The same of one whose corners are at hand. Its number is read only if it is met.
-  void offer(const std::uint32_t& triangle, const TriangleVertices& corners) {
+  [[gnu::always_inline]] void offer(const std::uint32_t& triangle, const TriangleVertices& corners) {
     const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
     if (sheared.is_missed(any_weight_error_)) return;
     // Nearly all others are surely met, in range and nearer than the best, or surely not.
@@ -47,7 +47,7 @@ class ClosestTriangle {
   }
 
   /// Whether the ray meets this triangle within its range; nothing is kept.
-  bool meets(const TriangleVertices& corners) const {
+  [[gnu::always_inline]] bool meets(const TriangleVertices& corners) const {
     const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
     if (sheared.is_missed(any_weight_error_)) return false;
     TriangleMeeting meeting;

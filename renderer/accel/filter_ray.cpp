@@ -15,7 +15,7 @@ constexpr double kFarthest = 5.001;
 
 /// The longest axis, by which of |x| > |y|, |x| > |z|, |y| > |z| hold, as bits from the lowest; and the two after it.
 constexpr std::array<std::array<std::uint8_t, 4>, 3> kAxes{{{1, 2, 0, 0}, {2, 0, 1, 0}, {0, 1, 2, 0}}};
-constexpr std::array<std::uint8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 2, 0};
+constexpr std::array<std::uint8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 1, 0};
 
 template <class Triple>
 double largest(const Triple& v) {

@@ -74,7 +74,7 @@ inline void ShearedRay::find_axes() {
   const Vec3& d = ray.direction;
   const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
   // By which of x > y, x > z and y > z hold, as bits from the lowest: which is the largest cannot be guessed.
-  constexpr std::array<std::int8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 2, 0};
+  constexpr std::array<std::int8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 1, 0};
   constexpr std::array<std::int8_t, 5> kCircle{0, 1, 2, 0, 1};
   const auto longest =
       static_cast<std::size_t>(kLongest[static_cast<std::size_t>(x > y) | static_cast<std::size_t>(x > z) << 1 |

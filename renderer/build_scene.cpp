@@ -3,6 +3,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "renderer/film/tiles.h"
 #include "renderer/math/affine_product.h"
 #include "renderer/math/input_error.h"
 #include "scenes/scene_kind.h"
@@ -25,7 +26,9 @@ class SceneBuilder {
  public:
   SceneBuilder(const SceneDescription& description, const MeshTable& meshes, const BuildOptions& options,
                std::vector<std::string>& warnings)
-      : description_(*description.scene), options_(options), context_{meshes, options.accel, warnings} {}
+      : description_(*description.scene),
+        options_(options),
+        context_{meshes, options.accel, warnings, thread_count(options.threads)} {}
 
   Scene build() {
     const SceneOverrides& overrides = options_.overrides;

@@ -7,13 +7,15 @@
 
 namespace plumb {
 
-/// How the surfaces that a ray may hit are found: by trying each, or by a hierarchy. Both find the same hits.
-enum class Accel { linear, bvh2 };
+/// How what a ray may hit is found: by trying each, by a binary hierarchy, or, the triangles of meshes, by an 8-wide
+/// one. All find the same hits.
+enum class Accel { linear, bvh2, bvh8 };
 
 /// The names that `--accel` takes, in the order of the enumeration.
 std::span<const std::string_view> accel_names();
 
-/// Numbered boxes, to be searched by rays.
+/// Numbered boxes, to be searched by rays: one by one or in the binary hierarchy, which is also what holds boxes where
+/// meshes are in the 8-wide one.
 class Accelerator {
  public:
   /// `origin_margin` as in Hierarchy.
@@ -22,7 +24,7 @@ class Accelerator {
   /// As Hierarchy::walk; linear search visits every primitive whatever its box.
   template <class Visit>
   bool walk(const Ray& ray, TraceCounters& counters, Visit&& visit, double drift = 0) const {
-    if (accel_ == Accel::bvh2) return hierarchy_.walk(ray, counters, visit, drift);
+    if (accel_ != Accel::linear) return hierarchy_.walk(ray, counters, visit, drift);
     for (std::uint32_t i = 0; i < count_; ++i)
       if (visit(i)) return true;
     return false;

@@ -50,9 +50,12 @@ class Binning {
  public:
   explicit Binning(const FloatBox& centers) : low_(centers.low) {
     const BoxSide extent = centers.high - centers.low;
-    for (int axis = 0; axis < 3; ++axis) scale_[axis] = extent[axis] > 0 ? 0.9999F * kBins / extent[axis] : 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float scale = 0.9999F * kBins / extent[axis];
+      scale_[axis] = extent[axis] > 0 && scale < FloatBox::kFar ? scale : 0;
+    }
   }
-  bool splits(std::size_t axis) const { return scale_[static_cast<int>(axis)] > 0 && scale_[static_cast<int>(axis)] < FloatBox::kFar; }
+  bool splits(std::size_t axis) const { return scale_[static_cast<int>(axis)] > 0; }
   using Places = std::int32_t __attribute__((vector_size(16)));
   Places of(const FloatBox& box) const {
     return __builtin_convertvector((center_of(box) - low_) * scale_, Places);

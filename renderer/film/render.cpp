@@ -28,10 +28,6 @@ Color pixel_color(Tracer& tracer, int x, int row) {
   return 1.0 / (n * n) * sum;
 }
 
-int thread_count(int wanted) {
-  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
 }  // namespace
 
 int sample_grid(int samples) { return std::max(1, static_cast<int>(std::lround(std::sqrt(samples)))); }

@@ -17,6 +17,10 @@ std::vector<PixelRect> tiles_of(const PixelRect& rect) {
   return tiles;
 }
 
+int thread_count(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 // Standard threads rather than a task library: the thread sanitizer understands them without suppressions, so that
 // a race in a tracer shows.
 void for_each_item(int threads, int count, const std::function<void(int, int)>& work) {

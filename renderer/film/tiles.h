@@ -14,6 +14,9 @@ struct PixelRect {
 /// Cuts a rectangle into squares of 32 pixels (narrower at its right and bottom), row by row.
 std::vector<PixelRect> tiles_of(const PixelRect& rect);
 
+/// As many threads as wanted; for 0 as many as there are processors.
+int thread_count(int wanted);
+
 /// Calls work(worker, item) once for each item in [0, count), from `threads` threads (at least 1) at a time, each
 /// worker on one thread. Items are taken in order, by whoever is free. The first exception stops the others after their
 /// item and is thrown on.

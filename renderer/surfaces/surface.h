@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,6 +18,8 @@
 #include "scenes/object_description.h"
 
 namespace plumb {
+
+class TriangleSearch;
 
 /// Where a ray meets a surface: enough to find the normal later, so that only the closest hit pays for it.
 struct SurfaceHit {
@@ -73,6 +76,10 @@ struct SurfaceContext {
   const MeshTable& meshes;
   Accel accel;
   std::vector<std::string>& warnings;
+  /// How many may build, at least 1.
+  int threads = 1;
+  /// Those made so far: several elements with the same mesh share one.
+  std::map<const TriangleMesh*, std::shared_ptr<const TriangleSearch>> searches{};
 };
 
 /// A kind of surface: its parameter table and how one is made. Making throws InputError at the parameter at fault.

@@ -41,7 +41,7 @@ void add(const plumb::ExactHits& t, bool is_flat) {
 int main(int argc, char** argv) {
   using namespace plumb;
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 1'000'000;
-  const std::string_view name = argc > 2 ? argv[2] : "bvh2";
+  const std::string_view name = argc > 2 ? argv[2] : "bvh8";
   const auto names = accel_names();
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) {

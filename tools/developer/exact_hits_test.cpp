@@ -7,7 +7,7 @@ namespace {
 
 constexpr plumb_precision kPrecisions[] = {PLUMB_FLOAT, PLUMB_DOUBLE};
 constexpr Placing kPlacings[] = {Placing::as_given, Placing::placed};
-constexpr Accel kAccels[] = {Accel::linear, Accel::bvh2};
+constexpr Accel kAccels[] = {Accel::linear, Accel::bvh2, Accel::bvh8};
 
 struct Sum {
   std::int64_t rays = 0, hits = 0, boundary = 0, ranges = 0, wrong_if_rounded = 0;

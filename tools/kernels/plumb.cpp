@@ -105,7 +105,7 @@ class MeshSearch {
         hits.push_back({surface, i, hit->t, hit->u, hit->v});
       return false;
     };
-    hierarchy_->walk(ray.object, counters, test, ray.drift(largest_));
+    hierarchy_->walk(ray.object(), counters, test, ray.drift(largest_));
   }
 
  private:
@@ -117,7 +117,7 @@ class MeshSearch {
 
 class PlumbKernel {
  public:
-  explicit PlumbKernel(std::span<const plumb_surface> surfaces) : scene_(contents_of(surfaces), Accel::bvh2) {}
+  explicit PlumbKernel(std::span<const plumb_surface> surfaces) : scene_(contents_of(surfaces), Accel::bvh8) {}
 
   Hit closest(const Ray& ray) const {
     TraceCounters counters;
@@ -138,7 +138,7 @@ class PlumbKernel {
       if (searches_[i])
         searches_[i]->all(own, i, hits);
       else
-        all_of_solid(own.object, i, hits);
+        all_of_solid(own.object(), i, hits);
     }
   }
 
@@ -172,7 +172,7 @@ class PlumbKernel {
     std::vector<std::shared_ptr<MeshSearch>> search_of;
     MeshTable meshes;
     std::vector<std::string> warnings;
-    SurfaceContext context{meshes, Accel::bvh2, warnings};
+    SurfaceContext context{meshes, Accel::bvh8, warnings};
     for (const plumb_surface& from : surfaces) {
       const plumb_mesh& mesh = from.mesh;
       std::size_t index = contents.surfaces.size();

@@ -182,7 +182,9 @@ struct ProbeAnswers::Loaded {
     const SceneDescription description = read_scene(file, renderer_kinds(Dialect::pa3_2011));
     const MeshTable meshes = load_meshes(description);
     std::vector<std::string> warnings;
-    auto loaded = std::make_unique<Loaded>(Loaded{build_scene(description, meshes, {}, warnings), {}});
+    BuildOptions options;
+    options.threads = 1;  // those who measure a probe expect a single one
+    auto loaded = std::make_unique<Loaded>(Loaded{build_scene(description, meshes, options, warnings), {}});
     list_members(*description.scene, "", meshes, loaded->list);
     return loaded;
   }

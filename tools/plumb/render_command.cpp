@@ -34,7 +34,7 @@ struct Arguments {
   std::string fresnel = "exact";
   std::optional<int> max_depth;
   std::optional<double> min_contribution;
-  std::string accel = "bvh2";
+  std::string accel = "bvh8";
   std::string stats;
 };
 
@@ -80,7 +80,7 @@ Plan plan_of(const Arguments& arguments) {
                           .max_depth = arguments.max_depth,
                           .min_contribution = arguments.min_contribution};
   if (arguments.size) plan.build.overrides.image_size = parse_size(*arguments.size);
-  plan.render.threads = arguments.threads;
+  plan.build.threads = plan.render.threads = arguments.threads;
   if (arguments.crop) plan.render.crop = parse_rect(*arguments.crop);
   return plan;
 }

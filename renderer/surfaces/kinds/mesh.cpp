@@ -2,73 +2,59 @@
 #include <array>
 
 #include "meshes/triangle_mesh.h"
+#include "renderer/accel/triangle_search.h"
 #include "renderer/math/support.h"
-#include "renderer/surfaces/closest_triangle.h"
+#include "renderer/surfaces/surface.h"
 
 namespace plumb {
 namespace {
 
 class Mesh : public Surface {
  public:
-  Mesh(std::shared_ptr<const TriangleMesh> mesh, Accel accel)
-      : mesh_(std::move(mesh)), accelerator_(accel, triangle_bounds(*mesh_)), runs_(bounds_of_runs(*mesh_)) {
-    for (const Bounds3& run : runs_) largest_coordinate_ = std::max(largest_coordinate_, largest_coordinate(run));
-  }
+  explicit Mesh(std::shared_ptr<const TriangleSearch> triangles)
+      : triangles_(std::move(triangles)), runs_(bounds_of_runs(triangles_->mesh())) {}
 
   std::optional<SurfaceHit> intersect(const Ray& ray, TraceCounters& counters) const override {
-    return intersect_placed(PlacedRay(ray), counters);
+    return triangles_->closest(PlacedRay(ray), counters);
   }
 
   bool blocks(const Ray& ray, TraceCounters& counters) const override {
-    return blocks_placed(PlacedRay(ray), counters);
+    return triangles_->any(PlacedRay(ray), counters);
   }
 
   std::optional<SurfaceHit> intersect_placed(const PlacedRay& ray, TraceCounters& counters) const override {
-    ClosestTriangle closest(ray, *mesh_, largest_coordinate_);
-    Ray rest = ray.object();
-    rest.t_max = closest.t_max();
-    const auto offer = [&](std::uint32_t triangle) {
-      ++counters.primitive_tests;
-      closest.offer(triangle);
-      rest.t_max = closest.t_max();
-      return false;
-    };
-    accelerator_.walk(rest, counters, offer, ray.drift(largest_coordinate_));
-    return closest.result();
+    return triangles_->closest(ray, counters);
   }
 
   bool blocks_placed(const PlacedRay& ray, TraceCounters& counters) const override {
-    const ClosestTriangle triangles(ray, *mesh_, largest_coordinate_);
-    const auto meets = [&](std::uint32_t triangle) {
-      ++counters.primitive_tests;
-      return triangles.meets(triangle);
-    };
-    return accelerator_.walk(ray.object(), counters, meets, ray.drift(largest_coordinate_));
+    return triangles_->any(ray, counters);
   }
 
   std::optional<TriangleVertices> triangle(std::uint32_t part) const override {
-    const auto [a, b, c] = mesh_->triangles[part];
-    return TriangleVertices{mesh_->positions[a], mesh_->positions[b], mesh_->positions[c]};
+    const auto [a, b, c] = mesh().triangles[part];
+    return TriangleVertices{mesh().positions[a], mesh().positions[b], mesh().positions[c]};
   }
 
   /// Interpolated where the file gives normals, else the triangle's own.
   Normal3 normal(const Ray&, const SurfaceHit& hit) const override {
-    const auto [a, b, c] = mesh_->triangles[hit.part];
-    if (!mesh_->normals.empty()) {
-      const auto& n = mesh_->normals;
+    const auto [a, b, c] = mesh().triangles[hit.part];
+    if (!mesh().normals.empty()) {
+      const auto& n = mesh().normals;
       return (1 - hit.u - hit.v) * n[a] + hit.u * n[b] + hit.v * n[c];
     }
-    const auto& p = mesh_->positions;
+    const auto& p = mesh().positions;
     return as_normal(cross(p[b] - p[a], p[c] - p[a]));
   }
 
   /// Of the vertices that triangles use.
   Bounds3 world_bounds(const Transform& world_from_object) const override {
-    if (mesh_->triangles.empty()) return {};
+    if (mesh().triangles.empty()) return {};
     return mapped_bounds(world_from_object.matrix(), [&](const AffineRow& row) { return highest_vertex(row); });
   }
 
  private:
+  const TriangleMesh& mesh() const { return triangles_->mesh(); }
+
   /// As many triangles share a box, so that finding the highest vertex looks at few of them.
   static constexpr std::size_t kRun = 64;
 
@@ -83,10 +69,10 @@ class Mesh : public Surface {
     double found = -Bounds3::kInfinity;
     for (std::size_t run = 0; run < runs_.size(); ++run) {
       if (about_highest(row, runs_[run]) <= found) continue;
-      const std::size_t end = std::min((run + 1) * kRun, mesh_->triangles.size());
+      const std::size_t end = std::min((run + 1) * kRun, mesh().triangles.size());
       for (std::size_t i = run * kRun; i < end; ++i) {
-        for (const std::uint32_t vertex : mesh_->triangles[i]) {
-          const Point3& p = mesh_->positions[vertex];
+        for (const std::uint32_t vertex : mesh().triangles[i]) {
+          const Point3& p = mesh().positions[vertex];
           if (!(about_highest(row, {p, p}) <= found)) found = std::max(found, highest(row, p));
         }
       }
@@ -94,10 +80,8 @@ class Mesh : public Surface {
     return found;
   }
 
-  std::shared_ptr<const TriangleMesh> mesh_;
-  Accelerator accelerator_;
+  std::shared_ptr<const TriangleSearch> triangles_;
   std::vector<Bounds3> runs_;
-  double largest_coordinate_ = 0;
 };
 
 constexpr std::array kParameters{
@@ -108,7 +92,10 @@ constexpr std::array kParameters{
 };
 
 std::unique_ptr<Surface> make(const ObjectDescription& object, SurfaceContext& context) {
-  return std::make_unique<Mesh>(context.meshes.at(object.file_name("data")), context.accel);
+  const auto& mesh = context.meshes.at(object.file_name("data"));
+  std::shared_ptr<const TriangleSearch>& triangles = context.searches[mesh.get()];
+  if (!triangles) triangles = std::make_shared<const TriangleSearch>(mesh, context.accel, context.threads);
+  return std::make_unique<Mesh>(triangles);
 }
 
 }  // namespace

@@ -99,12 +99,13 @@ class Gatherer {
   void gather() {
     tree_.lines = MappedArray<CacheLine>(kNodeLines * binary_.size());
     tree_.triangles = MappedArray<std::uint32_t>(boxes_.size());
-    gather_node(0, 0);
+    gather_node(0, 0, 0);
     tree_.lines.shrink(lines_);
   }
 
  private:
   static constexpr std::uint32_t kNodeLines = sizeof(Bvh8Node) / sizeof(CacheLine);
+  static constexpr int kSharedDepth = 3;
   static constexpr std::uint32_t kLeafLines = sizeof(Bvh8Leaf) / sizeof(CacheLine);
 
   struct Children {
@@ -117,7 +118,8 @@ class Gatherer {
     return *new (&tree_.lines[line]) T;
   }
 
-  void gather_node(std::uint32_t line, std::uint32_t root) {
+  /// Near the root a child goes to another thread, if one is free.
+  void gather_node(std::uint32_t line, std::uint32_t root, int depth) {
     const Children children = children_of(root);
     Bvh8Node& node = make_at<Bvh8Node>(line);
     std::uint32_t next = lines_.fetch_add(kNodeLines * children.nodes + kLeafLines * (children.count - children.nodes));
@@ -129,7 +131,24 @@ class Gatherer {
       next += is_leaf ? kLeafLines : kNodeLines;
     }
     set_boxes(node, children);
-    for (std::uint32_t i = 0; i < children.nodes; ++i) gather_node(node.child[i] >> 1, children.items[i]);
+    std::vector<std::future<void>> others;
+    for (std::uint32_t i = 0; i < children.nodes; ++i) {
+      const auto gather_child = [this, line = node.child[i] >> 1, from = children.items[i], depth] {
+        gather_node(line, from, depth + 1);
+      };
+      if (depth >= kSharedDepth || i + 1 == children.nodes) {
+        gather_child();
+      } else if (helpers_.fetch_sub(1) > 0) {
+        others.push_back(std::async(std::launch::async, [this, gather_child] {
+          gather_child();
+          helpers_.fetch_add(1);
+        }));
+      } else {
+        helpers_.fetch_add(1);
+        gather_child();
+      }
+    }
+    for (auto& other : others) other.get();
   }
 
   /// The children of a wide node, nodes first.

@@ -42,7 +42,7 @@ struct FilterFrame {
   double reach = 0;
   double vertex_error = 0;
   /// Of a ray that is exact in floats: what its boxes are widened by, and the bounds of FilterRay.
-  float margin = 0, weight_error = 0, weight_error_constant = 0;
+  float margin = 0, weight_error = 0, weight_error_constant = 0, distance_error = 0;
   /// No coordinate of an origin that counts as near is larger.
   float near = 0;
   bool is_identity = true;

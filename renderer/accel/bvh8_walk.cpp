@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <optional>
 
@@ -64,7 +65,7 @@ class Walk {
       } else {
         const Bvh8Leaf& leaf = *std::launder(reinterpret_cast<const Bvh8Leaf*>(at(reference) - kHalfLine));
         counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
-        std::uint32_t candidates = test_leaf(leaf);
+        std::uint32_t candidates = test_leaf(leaf, t_max);
         if (candidates != 0) {
           if (!closest_) closest_.emplace(ray_, searched_.mesh, searched_.largest_coordinate);
           do {
@@ -144,8 +145,9 @@ class Walk {
     __builtin_prefetch(at(entry.reference()) + sizeof(CacheLine));
   }
 
-  /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges.
-  HWY_INLINE std::uint32_t test_leaf(const Bvh8Leaf& leaf) const {
+  /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges, or which it surely
+  /// meets before t_min or beyond t_max.
+  HWY_INLINE std::uint32_t test_leaf(const Bvh8Leaf& leaf, float t_max) const {
     const Float8 ax = load8(leaf.vertices[filter_.axis[0]].data()) - all8(filter_.origin[0]);
     const Float8 ay = load8(leaf.vertices[filter_.axis[1]].data()) - all8(filter_.origin[1]);
     const Float8 az = load8(leaf.vertices[filter_.axis[2]].data()) - all8(filter_.origin[2]);
@@ -162,8 +164,28 @@ class Walk {
     const Float8 lowest = low(low(u, v), w), highest = high(high(u, v), w);
     // Rejected: lowest < -error and highest > error.
     const std::uint32_t kept = at_most(negative(error), lowest) | at_most(highest, error);
-    return kept & leaf.present;
+    const std::uint32_t candidates = kept & leaf.present;
+    if (candidates == 0 || (filter_.t_min < 0x1p-100F && t_max == std::numeric_limits<float>::infinity())) return candidates;
+
+    // t is that of the first corner's plane and, over det, `rise`: how much that of the two others differs, by weight. Signs are turned so
+    // that det > 0.
+    const Float8 za = taken(az, a);
+    const Float8 zb = taken(az, b) - za, zc = taken(az, c) - za;
+    const Float8 det = (u + v) + w;
+    const Float8 area = size_of(det);
+    const Float8 t_a = za * all8(filter_.reciprocal_z);
+    const Float8 rise = negated_like((v * zb + w * zc) * all8(filter_.reciprocal_z), det);
+    const Float8 area_error = error * all8(kAreaError) + area * all8(0x1p-21F);
+    const Float8 rise_error = (error * (size_of(zb) + size_of(zc))) * all8(filter_.reciprocal_size_z) + (area + error * all8(kWeightsError)) * all8(filter_.depth_error);
+    const Float8 start = all8(filter_.t_min) - t_a, end = all8(t_max) - t_a;
+    const std::uint32_t not_before = at_most(start * area - size_of(start) * area_error, rise + rise_error);
+    const std::uint32_t not_beyond = at_most(rise - rise_error, end * area + size_of(end) * area_error);
+    const std::uint32_t is_flat = at_most(area, area_error);
+    return candidates & ((not_before & not_beyond) | is_flat);
   }
+
+  /// How far det may be off, in errors of a weight; and how much larger than det the sum of the weights' sizes may be.
+  static constexpr float kAreaError = 3.2F, kWeightsError = 4.1F;
 
   /// The mesh's own, where the leaf has them to the bit.
   HWY_INLINE TriangleVertices corners_of(const Bvh8Leaf& leaf, std::uint32_t slot) const {
@@ -215,7 +237,7 @@ bool prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filt
   if (searched.tree.lines.size() == 0 ||
       make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter) == FilterRay::Fate::misses)
     return false;
-  filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
+  if (ray.nearest < ray.object().t_max) filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
   return true;
 }
 

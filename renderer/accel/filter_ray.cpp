@@ -22,10 +22,6 @@ double largest(const Triple& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
-/// The ends of a range, t >= 0, by at most three floats too wide; without a branch that the processor would have to guess.
-float wide_start(double t) { return static_cast<float>(t) * (1 - 0x1p-23F); }
-float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-126F; }
-
 /// A ray in the frame, in doubles, and the most that any of its coordinates is off.
 struct FrameRay {
   Point3 origin;
@@ -64,11 +60,6 @@ bool move_near(FrameRay& ray, const FilterFrame& frame, double& moved) {
 
 }  // namespace
 
-float FilterRay::frame_t_max(double t) const {
-  const double moved = (t - t_start) * t_factor;
-  return wide_end(moved + 0x1p-50 * (std::fabs(t) + std::fabs(t_start)) * t_factor);
-}
-
 namespace {
 
 using Bits = std::int32_t __attribute__((vector_size(16)));
@@ -83,7 +74,8 @@ float largest(BoxSide v) { return std::max(v[0], std::max(v[1], v[2])); }
 
 /// The bounds of the filters, in the frame: `offset` is how far the float origin and the float vertices may be off, `slant` how far the
 /// direction, in units of its largest coordinate.
-void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, double slant, float& margin) {
+void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, double slant, float& margin,
+                float& distance_error) {
   // Of a vertex from the origin, on an axis.
   const double reach = kFarthest * frame.reach;
   const double moved = offset + frame.vertex_error;
@@ -93,6 +85,7 @@ void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, doub
   filter.weight_error_constant = static_cast<float>(2.01 * weight * weight);
   // Boxes: the errors of the ray and of a vertex, the direction's over the way to it, and 8u for the arithmetic.
   margin = static_cast<float>(moved + slant * reach * 1.01 + 8.5 * kU * reach);
+  distance_error = static_cast<float>(3 * moved + 24 * kU * reach + 3.2 * slant * reach);
 }
 
 /// Whether a double is a float, but for its exponent.
@@ -108,7 +101,7 @@ FloatLine in_floats(const Point3& o, const Vec3& d) {
 }
 
 /// Everything but the range, of a ray that is near the mesh and of moderate length. `along` is the direction's largest coordinate.
-void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin) {
+void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin, float distance_error) {
   const auto& [o, d] = line;
   const BoxSide sizes = size_of(d);
   const BoxSide wider = with_signs(all(margin), d);
@@ -123,6 +116,10 @@ void set_lines(FilterRay& filter, const FloatLine& line, float along, float marg
   filter.origin = {o[kx], o[ky], o[kz]};
   filter.shear_x = d[kx] * filter.reciprocal[kz];
   filter.shear_y = d[ky] * filter.reciprocal[kz];
+  filter.reciprocal_z = filter.reciprocal[kz];
+  const float reciprocal_size = std::fabs(filter.reciprocal_z);
+  filter.reciprocal_size_z = reciprocal_size * (1 + 0x1p-20F);
+  filter.depth_error = reciprocal_size * distance_error;
 }
 
 /// The same of a ray in doubles, with the errors of rounding it and those that it has already.
@@ -134,9 +131,9 @@ void set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame)
   };
   const float along = largest(size_of(line.direction));
   const double offset = ray.error.origin + off(ray.origin, line.origin), slant = ray.error.direction + off(ray.direction, line.direction);
-  float margin = 0;
-  set_errors(filter, frame, offset, slant / static_cast<double>(along), margin);
-  set_lines(filter, line, along, margin);
+  float margin = 0, distance_error = 0;
+  set_errors(filter, frame, offset, slant / static_cast<double>(along), margin, distance_error);
+  set_lines(filter, line, along, margin, distance_error);
 }
 
 /// A ray of any size, or from far away.
@@ -168,7 +165,7 @@ void set_filter_errors(FilterFrame& frame) {
   frame.near = static_cast<float>(3.99 * frame.reach);
   frame.is_identity = frame.factor == 1 && frame.center == Point3{};
   FilterRay none;
-  set_errors(none, frame, 0, 0, frame.margin);
+  set_errors(none, frame, 0, 0, frame.margin, frame.distance_error);
   frame.weight_error = none.weight_error;
   frame.weight_error_constant = none.weight_error_constant;
 }
@@ -194,7 +191,7 @@ FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const Fil
   if (digits == 0 && error.origin + error.direction == 0 && frame.is_identity) {
     filter.weight_error = frame.weight_error;
     filter.weight_error_constant = frame.weight_error_constant;
-    set_lines(filter, line, along, frame.margin);
+    set_lines(filter, line, along, frame.margin, frame.distance_error);
   } else {
     FrameRay moved{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
     if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(origin);

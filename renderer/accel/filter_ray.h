@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "renderer/accel/bvh8_layout.h"
@@ -8,6 +10,11 @@
 #include "renderer/math/ray.h"
 
 namespace plumb {
+
+/// The ends of a range, t >= 0, by at most three floats too wide; without a branch that the processor would have to guess.
+/// The start is above 0, so that what lies behind it is not -0; the boxes' margin has room for that.
+inline float wide_start(double t) { return std::max(static_cast<float>(t) * (1 - 0x1p-23F), 0x1p-120F); }
+inline float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-126F; }
 
 /// How far the numbers of a ray may be from those that it stands for, on each axis.
 struct RayError {
@@ -28,13 +35,19 @@ struct FilterRay {
   float shear_x, shear_y;
   /// A weight is off by less than weight_error * (sum of the six |sheared coordinates|) + weight_error_constant.
   float weight_error, weight_error_constant;
-  /// The range in the frame, rounded outward; t_min >= 0.
+  /// The reciprocal of the direction's longest coordinate, and how far off the t of a vertex' plane across that axis may be.
+  float reciprocal_z, reciprocal_size_z, depth_error;
+  /// The range in the frame, rounded outward; t_min > 0.
   float t_min, t_max;
   /// frame t = (t - t_start) * t_factor, for an end of the range.
   double t_start, t_factor;
 
-  /// The smallest float of the frame's t that is not below the given one.
-  float frame_t_max(double t) const;
+  /// A float that is not below the frame's t, by at most some units of its last place.
+  float frame_t_max(double t) const {
+    // Nearly every ray starts where it is.
+    if (t_start == 0) return wide_end(t * t_factor);
+    return wide_end((t - t_start) * t_factor + 0x1p-50 * (std::fabs(t) + std::fabs(t_start)) * t_factor);
+  }
 
   enum class Fate { walk, misses };
 };

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -60,6 +61,9 @@ HWY_INLINE Float4 size4(Float4 p) {
 HWY_INLINE Float4 negative4(Float4 p) {
   return Float4::each([&](std::size_t i) { return -p.v[i]; });
 }
+HWY_INLINE Float4 negated_like4(Float4 p, Float4 of) {
+  return Float4::each([&](std::size_t i) { return std::signbit(of.v[i]) ? -p.v[i] : p.v[i]; });
+}
 
 #else
 
@@ -94,6 +98,7 @@ HWY_INLINE Float8 low(Float8 a, Float8 b) { return hn::Min(a, b); }
 HWY_INLINE Float8 high(Float8 a, Float8 b) { return hn::Max(a, b); }
 HWY_INLINE Float8 size_of(Float8 a) { return hn::Abs(a); }
 HWY_INLINE Float8 negative(Float8 a) { return hn::Neg(a); }
+HWY_INLINE Float8 negated_like(Float8 a, Float8 of) { return hn::Xor(a, hn::AndNot(hn::Abs(of), of)); }
 
 #else  // in two
 
@@ -109,6 +114,7 @@ HWY_INLINE Float4 low4(Float4 p, Float4 q) { return hn::Min(p, q); }
 HWY_INLINE Float4 high4(Float4 p, Float4 q) { return hn::Max(p, q); }
 HWY_INLINE Float4 size4(Float4 p) { return hn::Abs(p); }
 HWY_INLINE Float4 negative4(Float4 p) { return hn::Neg(p); }
+HWY_INLINE Float4 negated_like4(Float4 p, Float4 of) { return hn::Xor(p, hn::AndNot(hn::Abs(of), of)); }
 #endif
 
 struct Float8 {
@@ -139,6 +145,8 @@ HWY_INLINE Float8 low(Float8 p, Float8 q) { return {low4(p.a, q.a), low4(p.b, q.
 HWY_INLINE Float8 high(Float8 p, Float8 q) { return {high4(p.a, q.a), high4(p.b, q.b)}; }
 HWY_INLINE Float8 size_of(Float8 p) { return {size4(p.a), size4(p.b)}; }
 HWY_INLINE Float8 negative(Float8 p) { return {negative4(p.a), negative4(p.b)}; }
+/// p, or -p where `of` is negative.
+HWY_INLINE Float8 negated_like(Float8 p, Float8 of) { return {negated_like4(p.a, of.a), negated_like4(p.b, of.b)}; }
 
 #endif
 

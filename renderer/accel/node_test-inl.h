@@ -24,8 +24,7 @@ class NodeTest {
   /// A bit for each child whose box the ray may meet, and where it does so at the earliest, eight numbers.
   HWY_INLINE std::uint32_t operator()(const Bvh8Node& node, float* entered) const {
     const Sides x = x_.sides(node, 0), y = y_.sides(node, 1), z = z_.sides(node, 2);
-    // An equal second operand is the one that is taken, so that 0 is not -0.
-    const Float8 near = high(high(high(x.near, y.near), z.near), t_min_);
+    const Float8 near = high(high(x.near, y.near), high(z.near, t_min_));
     const Float8 far = low(low(x.far, y.far), low(z.far, t_max_));
     store8(near, entered);
     return at_most(near, far);

@@ -32,8 +32,10 @@ struct PlacedRay {
   const Transform* world_from_object = nullptr;
 
  private:
-  /// Where it is not the world's own.
-  Ray object_;
+  /// Where it is not the world's own; else nothing is written here, as every ray is placed.
+  union {
+    Ray object_;
+  };
 };
 
 }  // namespace plumb

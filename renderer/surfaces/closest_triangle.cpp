@@ -1,5 +1,7 @@
 #include "renderer/surfaces/closest_triangle.h"
 
+#include <stdexcept>
+
 namespace plumb {
 
 TriangleVertices ClosestTriangle::vertices(std::uint32_t triangle) const {
@@ -37,8 +39,21 @@ void ClosestTriangle::consider(const std::uint32_t& triangle, const TriangleVert
 
 std::optional<SurfaceHit> ClosestTriangle::result() const {
   if (!found_) return std::nullopt;
-  const TriangleHit hit = best().hit(best().t);
-  return SurfaceHit{hit.t, hit.u, hit.v, best_triangle_, best().t_error};
+  if (!best().is_rough) return hit_of(best());
+  const auto [a, b, c] = vertices(best_triangle_);
+  TriangleMeeting meeting;
+  if (meet(ray_, ShearedTriangle(ray_, a, b, c), a, b, c, meeting)) {
+    if (const std::optional<double> t = t_in_range(ray_, meeting, a, b, c)) {
+      meeting.t = *t;
+      return hit_of(meeting);
+    }
+  }
+  throw std::logic_error("a triangle that a ray meets in its range is missed when looked at more closely");
+}
+
+SurfaceHit ClosestTriangle::hit_of(const TriangleMeeting& meeting) const {
+  const TriangleHit hit = meeting.hit(meeting.t);
+  return {hit.t, hit.u, hit.v, best_triangle_, meeting.t_error};
 }
 
 }  // namespace plumb

@@ -30,7 +30,7 @@ class ClosestTriangle {
   }
 
   /// The same of one whose corners are at hand. Its number is read only if it is met.
-  void offer(const std::uint32_t& triangle, const TriangleVertices& corners) {
+  [[gnu::always_inline]] void offer(const std::uint32_t& triangle, const TriangleVertices& corners) {
     const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
     if (sheared.is_missed(any_weight_error_)) return;
     // Nearly all others are surely met, in range and nearer than the best, or surely not.
@@ -47,7 +47,7 @@ class ClosestTriangle {
   }
 
   /// Whether the ray meets this triangle within its range; nothing is kept.
-  bool meets(const TriangleVertices& corners) const {
+  [[gnu::always_inline]] bool meets(const TriangleVertices& corners) const {
     const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
     if (sheared.is_missed(any_weight_error_)) return false;
     TriangleMeeting meeting;
@@ -67,10 +67,10 @@ class ClosestTriangle {
   std::optional<SurfaceHit> result() const;
 
  private:
-  /// Whether doubles suffice to say that the ray's line meets the triangle, and where.
+  /// Whether doubles suffice to say that the ray's line meets the triangle, and about where.
   bool is_plain(const ShearedTriangle& sheared, const TriangleVertices& corners, TriangleMeeting& meeting) const {
     return sheared.is_sure_to_meet(any_weight_error_) && has_ordinary_length_ &&
-           meet_plane(ray_, sheared.weights, corners[0], corners[1], corners[2], meeting);
+           meet_plane(ray_, sheared.weights, corners[0], corners[1], corners[2], kSteepEnough, meeting);
   }
   void keep(std::uint32_t triangle) {
     best_ = 1 - best_;
@@ -82,6 +82,7 @@ class ClosestTriangle {
   bool surely_meets(const ShearedTriangle& sheared, const TriangleVertices& corners) const;
   void consider(const std::uint32_t& triangle, const TriangleVertices& corners, const ShearedTriangle& sheared);
   TriangleVertices vertices(std::uint32_t triangle) const;
+  SurfaceHit hit_of(const TriangleMeeting& meeting) const;
   /// Whether this meeting lies before the best one, both in the range.
   bool is_nearer(const TriangleMeeting& meeting, std::uint32_t triangle, const TriangleVertices& corners) const;
 

@@ -55,7 +55,7 @@ bool exactly_meet(const ShearedRay& sheared, const Point3& a, const Point3& b, c
   const ExactTriangle exact(ray, sheared.world_from_object, {a, b, c});
   if (!exact.is_met()) return false;
   const double t = exact.t();
-  meeting = {t, rounding_error(t), exact.weight_b(), exact.weight_c(), 1};
+  meeting = {t, rounding_error(t), exact.weight_b(), exact.weight_c(), 1, false};
   return std::isfinite(t);
 }
 
@@ -114,7 +114,7 @@ bool meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weight
   const long double t_error = (distance_error + std::fabs(t) * facing_error) / std::fabs(facing);
   const auto rounded = static_cast<double>(t);
   meeting = {rounded, static_cast<double>(t_error) * (1 + 0x1p-30) + rounding_error(rounded), weights[1], weights[2],
-             weights[0] + weights[1] + weights[2]};
+             weights[0] + weights[1] + weights[2], false};
   return std::isfinite(rounded);
 }
 
@@ -149,7 +149,7 @@ bool meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Poin
   if (side == Side::misses) return false;
   if (side == Side::unsure) return exactly_meet(sheared, a, b, c, meeting);
 
-  if (meet_plane(sheared, weights, a, b, c, meeting)) return std::isfinite(meeting.t);
+  if (meet_plane(sheared, weights, a, b, c, kSteep, meeting)) return std::isfinite(meeting.t);
   return meet_closely(sheared, weights, a, b, c, meeting);
 }
 

@@ -102,6 +102,8 @@ struct TriangleMeeting {
   double t_error = 0;
   /// The weights of b and c, each times `sum`.
   double weight_b = 0, weight_c = 0, sum = 1;
+  /// Whether t is not yet the one to report.
+  bool is_rough = false;
 
   TriangleHit hit(double in_range) const { return {in_range, weight_b / sum, weight_c / sum}; }
 };
@@ -170,10 +172,14 @@ inline double weight_error(const ShearedRay& ray, double m, double reach) {
   return each * (reach + 2 * each);
 }
 
+/// How much of the edges' and the direction's sizes must be left in their product for a t that is reported, and for one that
+/// only has to be told apart from others by its error.
+constexpr double kSteep = 0x1p-6, kSteepEnough = 0x1p-24;
+
 /// Where the ray's line meets the plane of a triangle, which it is known to meet with these weights; false where that takes
 /// more digits: the ray grazes the plane, or starts in it, or the triangle is a needle. All numbers but t are finite.
 inline bool meet_plane(const ShearedRay& sheared, const std::array<double, 3>& weights, const Point3& a,
-                       const Point3& b, const Point3& c, TriangleMeeting& meeting) {
+                       const Point3& b, const Point3& c, double least_slope, TriangleMeeting& meeting) {
   const Ray& ray = sheared.ray;
   const Vec3 to_a = a - ray.origin;
   const Vec3 edge_b = b - a;
@@ -182,11 +188,12 @@ inline bool meet_plane(const ShearedRay& sheared, const std::array<double, 3>& w
   const double facing = dot(normal, ray.direction);
   const double distance = dot(normal, to_a);
   // The normal is off by 8u of the edges' product. Where the plane is steep, the hit is then within some 2^-42 of the
-  // way to it; elsewhere t has no digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
+  // way to it; elsewhere t has few digits left, nor a sign where the ray starts in the plane, unless t_min lies beyond.
   const double size = largest_coordinate(edge_b) * largest_coordinate(edge_c);
   const double along = std::fabs(coordinate(ray.direction, sheared.kz));
   // What underflows is far below the bounds, unless the edges are tiny.
-  const bool is_steep = size >= 0x1p-500 && std::fabs(facing) > 0x1p-6 * size * along;
+  const double slope = std::fabs(facing), full_slope = size * along;
+  const bool is_steep = size >= 0x1p-500 && slope > least_slope * full_slope;
   const double distance_error = 0x1p-47 * size * largest_coordinate(to_a) + 8 * size * sheared.origin_error;
   const bool starts_on_it =
       std::fabs(distance) < distance_error && !(std::fabs(distance) + distance_error < ray.t_min * std::fabs(facing));
@@ -195,7 +202,8 @@ inline bool meet_plane(const ShearedRay& sheared, const std::array<double, 3>& w
   const double facing_error = 0x1p-47 * size * along + 8 * size * sheared.direction_error;
   // One by one: a copy would load pairs of numbers that were stored singly just before, which processors are slow at.
   meeting.t = t;
-  meeting.t_error = (distance_error + std::fabs(t) * facing_error) * (1 / std::fabs(facing));
+  meeting.t_error = (distance_error + std::fabs(t) * facing_error) * (1 / slope);
+  meeting.is_rough = !(slope > kSteep * full_slope);
   meeting.weight_b = weights[1];
   meeting.weight_c = weights[2];
   meeting.sum = weights[0] + weights[1] + weights[2];

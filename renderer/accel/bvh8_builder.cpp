@@ -48,7 +48,7 @@ FilterFrame frame_of(const TriangleMesh& mesh) {
     for (int axis = 0; axis < 3; ++axis) frame.center[axis] = static_cast<double>(static_cast<float>(middle[axis]));
     reach = reach_from(frame.center);
   }
-  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0) frame.factor = std::scalbn(1.0, -std::ilogb(reach));
+  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0) frame.factor = std::scalbn(1.0, std::clamp(-std::ilogb(reach), -1000, 1000));
   frame.reach = std::max(reach * frame.factor, 0x1p-30) * (1 + 0x1p-20);
   return frame;
 }

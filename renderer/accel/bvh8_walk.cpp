@@ -233,26 +233,49 @@ HWY_EXPORT(any);
 
 namespace {
 
-bool prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
-  if (searched.tree.lines.size() == 0 ||
-      make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter) == FilterRay::Fate::misses)
-    return false;
-  if (ray.nearest < ray.object().t_max) filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
-  return true;
+FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
+  if (searched.tree.lines.size() == 0) return FilterRay::Fate::misses;
+  const auto fate = make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
+  if (fate == FilterRay::Fate::walk && ray.nearest < ray.object().t_max)
+    filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
+  return fate;
+}
+
+/// One triangle after the other, for rays that floats tell nothing of: seen from the mesh they are noise.
+std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+  ClosestTriangle closest(ray, searched.mesh, searched.largest_coordinate);
+  const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
+  for (std::uint32_t i = 0; i < count; ++i) closest.offer(i);
+  counters.primitive_tests += count;
+  return closest.result();
+}
+
+bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+  const ClosestTriangle triangles(ray, searched.mesh, searched.largest_coordinate);
+  const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ++counters.primitive_tests;
+    if (triangles.meets(i)) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  if (!prepare(searched, ray, filter)) return std::nullopt;
-  return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, filter, counters);
+  const FilterRay::Fate fate = prepare(searched, ray, filter);
+  if (fate == FilterRay::Fate::walk) [[likely]]
+    return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, filter, counters);
+  return fate == FilterRay::Fate::misses ? std::nullopt : closest_of_all(searched, ray, counters);
 }
 
 bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  if (!prepare(searched, ray, filter)) return false;
-  return HWY_DYNAMIC_DISPATCH(any)(searched, ray, filter, counters);
+  const FilterRay::Fate fate = prepare(searched, ray, filter);
+  if (fate == FilterRay::Fate::walk) [[likely]]
+    return HWY_DYNAMIC_DISPATCH(any)(searched, ray, filter, counters);
+  return fate == FilterRay::Fate::unknown && any_of_all(searched, ray, counters);
 }
 
 }  // namespace plumb

@@ -30,6 +30,12 @@ struct FrameRay {
   double t_min, t_max;
 };
 
+/// Whether the ray's errors are so much larger than the mesh that next to nothing is surely missed. NaN is.
+bool is_lost(const FrameRay& ray, const FilterFrame& frame) {
+  constexpr double kMost = 0x1p10;
+  return !(ray.error.origin <= kMost * frame.reach && ray.error.direction <= kMost * largest(ray.direction));
+}
+
 /// Moves the origin to where the ray comes near the mesh: the closer it is, the less its coordinates are rounded. Nothing is left where
 /// the ray passes by. `moved` is how far t was moved.
 bool move_near(FrameRay& ray, const FilterFrame& frame, double& moved) {
@@ -143,14 +149,24 @@ FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const Filt
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!(length > 0 && length < kInfinity && distance < kInfinity && ray.t_min <= ray.t_max) || std::isnan(dot(ray.direction, ray.direction)) || std::isnan(ray.origin.x + ray.origin.y + ray.origin.z))
     return FilterRay::Fate::misses;
-  const double shorten = std::scalbn(1.0, -std::ilogb(length));
-  FrameRay moved{frame(ray.origin), shorten * ray.direction, {error.origin * frame.factor, error.direction * shorten}, 0, 0};
+  const int shorten = -std::ilogb(length);
+  const auto shortened = [&](double value) { return std::scalbn(value, shorten); };
+  const Vec3& d = ray.direction;
+  FrameRay moved{frame(ray.origin),
+                 {shortened(d.x), shortened(d.y), shortened(d.z)},
+                 {error.origin * frame.factor, shortened(error.direction)},
+                 0,
+                 0};
   if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(moved.origin);
-  filter.t_factor = frame.factor / shorten;
+  filter.t_factor = std::scalbn(frame.factor, -shorten);
+  // Within these nothing below leaves the range of doubles, or that of floats.
+  const bool is_ordinary = filter.t_factor >= 0x1p-900 && filter.t_factor <= 0x1p900 && largest(moved.origin) <= 0x1p60 * frame.reach;
+  if (!is_ordinary || is_lost(moved, frame)) return FilterRay::Fate::unknown;
   moved.t_min = ray.t_min * filter.t_factor;
   moved.t_max = ray.t_max * filter.t_factor;
   double start = 0;
   if (!move_near(moved, frame, start)) return FilterRay::Fate::misses;
+  if (is_lost(moved, frame)) return FilterRay::Fate::unknown;
   filter.t_start = start / filter.t_factor;
   set_lines(filter, moved, frame);
   const double rounding = 0x1p-50 * std::fabs(start);
@@ -195,6 +211,7 @@ FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const Fil
   } else {
     FrameRay moved{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
     if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(origin);
+    if (is_lost(moved, frame)) return FilterRay::Fate::unknown;
     set_lines(filter, moved, frame);
   }
   return FilterRay::Fate::walk;

@@ -49,14 +49,14 @@ struct FilterRay {
     return wide_end((t - t_start) * t_factor + 0x1p-50 * (std::fabs(t) + std::fabs(t_start)) * t_factor);
   }
 
-  enum class Fate { walk, misses };
+  enum class Fate { walk, misses, unknown };
 };
 
 /// Fills in the bounds of a frame whose reach and vertex_error are known.
 void set_filter_errors(FilterFrame& frame);
 
 /// Fills `filter` for a ray in the mesh's coordinates; `misses` where the range is empty, the ray does not come near the mesh, or a number is
-/// not finite.
+/// not finite; `unknown` where its errors are so much larger than the mesh, or its numbers so far from the mesh's, that floats tell nothing.
 FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter);
 
 }  // namespace plumb

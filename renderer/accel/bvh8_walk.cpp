@@ -233,26 +233,63 @@ HWY_EXPORT(any);
 
 namespace {
 
-bool prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
-  if (searched.tree.lines.size() == 0 ||
-      make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter) == FilterRay::Fate::misses)
-    return false;
+FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
+  const FilterRay::Fate fate =
+      make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
+  if (fate != FilterRay::Fate::walk) return fate;
+  if (searched.tree.lines.size() == 0) return FilterRay::Fate::misses;
   if (ray.nearest < ray.object().t_max) filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
-  return true;
+  return fate;
+}
+
+ClosestTriangle search(const SearchedMesh& searched, const PlacedRay& ray) {
+  return {ray, searched.mesh, searched.largest_coordinate};
+}
+
+std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+  ClosestTriangle closest = search(searched, ray);
+  const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
+  for (std::uint32_t triangle = 0; triangle < count; ++triangle) closest.offer(triangle);
+  counters.primitive_tests += count;
+  return closest.result();
+}
+
+bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+  const ClosestTriangle triangles = search(searched, ray);
+  const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
+  for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
+    ++counters.primitive_tests;
+    if (triangles.meets(triangle)) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  if (!prepare(searched, ray, filter)) return std::nullopt;
-  return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, filter, counters);
+  switch (prepare(searched, ray, filter)) {
+    case FilterRay::Fate::walk:
+      return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, filter, counters);
+    case FilterRay::Fate::misses:
+      return std::nullopt;
+    case FilterRay::Fate::unfiltered:
+      break;
+  }
+  return closest_of_all(searched, ray, counters);
 }
 
 bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  if (!prepare(searched, ray, filter)) return false;
-  return HWY_DYNAMIC_DISPATCH(any)(searched, ray, filter, counters);
+  switch (prepare(searched, ray, filter)) {
+    case FilterRay::Fate::walk:
+      return HWY_DYNAMIC_DISPATCH(any)(searched, ray, filter, counters);
+    case FilterRay::Fate::misses:
+      return false;
+    case FilterRay::Fate::unfiltered:
+      break;
+  }
+  return any_of_all(searched, ray, counters);
 }
 
 }  // namespace plumb

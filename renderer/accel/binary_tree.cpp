@@ -28,10 +28,17 @@ BoxSide center_of(const FloatBox& box) {
          std::bit_cast<BoxSide>(std::bit_cast<Bits>(box.high) & kThree);
 }
 
+/// Groups from begin to end, and how many triangles they have together.
 struct Range {
   std::uint32_t begin, end;
-  FloatBox box, centers;
+  std::uint32_t triangles = 0;
+  FloatBox box{}, centers{};
   std::uint32_t count() const { return end - begin; }
+  void add(const TriangleGroup& group) {
+    box.extend(group.box);
+    centers.extend(center_of(group.box));
+    triangles += group.count();
+  }
 };
 
 struct Bins {
@@ -68,15 +75,12 @@ class Binning {
 
 class BinaryBuilder {
  public:
-  BinaryBuilder(const TriangleMesh& mesh, std::span<TriangleBox> boxes, int threads)
-      : mesh_(mesh), boxes_(boxes), nodes_(2 * boxes.size()), helpers_(threads - 1) {}
+  BinaryBuilder(const ListedTriangles& listed, std::span<TriangleGroup> groups, int threads)
+      : listed_(listed), groups_(groups), nodes_(2 * groups.size()), helpers_(threads - 1) {}
 
   MappedArray<BinaryNode> build() {
-    Range all{0, static_cast<std::uint32_t>(boxes_.size()), {}, {}};
-    for (const TriangleBox& box : boxes_) {
-      all.box.extend(box.box);
-      all.centers.extend(center_of(box.box));
-    }
+    Range all{0, static_cast<std::uint32_t>(groups_.size())};
+    for (const TriangleGroup& group : groups_) all.add(group);
     build_node(0, all, 1);
     nodes_.shrink(used_);
     return std::move(nodes_);
@@ -86,8 +90,7 @@ class BinaryBuilder {
   void build_node(std::uint32_t index, const Range& range, int depth) {
     BinaryNode& node = nodes_[index];
     node.box = range.box;
-    if (range.count() <= kLeafTriangles &&
-        count_vertices(mesh_, boxes_.subspan(range.begin, range.count()), kLeafVertices) <= kLeafVertices) {
+    if (fits_a_leaf(range)) {
       node.first = range.begin;
       node.count = range.count();
       node.cost.fill(0);
@@ -111,6 +114,22 @@ class BinaryBuilder {
       build_node(first + 1, right, depth + 1);
     }
     set_costs(node, nodes_[first], nodes_[first + 1]);
+  }
+
+  bool fits_a_leaf(const Range& range) const {
+    if (range.triangles > kLeafTriangles) return false;
+    std::array<std::uint32_t, kLeafVertices> seen;
+    std::size_t count = 0;
+    for (const TriangleGroup& group : groups_.subspan(range.begin, range.count())) {
+      for (const std::uint32_t triangle : listed_.triangles.subspan(group.first(), group.count())) {
+        for (const std::uint32_t vertex : listed_.mesh.triangles[triangle]) {
+          if (std::find(seen.begin(), seen.begin() + count, vertex) != seen.begin() + count) continue;
+          if (count == kLeafVertices) return false;
+          seen[count++] = vertex;
+        }
+      }
+    }
+    return true;
   }
 
   static void set_costs(BinaryNode& node, const BinaryNode& left, const BinaryNode& right) {
@@ -147,17 +166,17 @@ class BinaryBuilder {
   Split best_split(const Range& range, const Binning& binning) const {
     Bins bins;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
-      const FloatBox& box = boxes_[i].box;
-      const auto place = binning.of(box);
+      const TriangleGroup& group = groups_[i];
+      const auto place = binning.of(group.box);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto bin = static_cast<std::size_t>(place[static_cast<int>(axis)]);
-        bins.boxes[axis][bin].extend(box);
-        ++bins.counts[axis][bin];
+        bins.boxes[axis][bin].extend(group.box);
+        bins.counts[axis][bin] += group.count();
       }
     }
     Split best;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (binning.splits(axis)) improve(best, bins, axis, range.count());
+      if (binning.splits(axis)) improve(best, bins, axis, range.triangles);
     return best;
   }
 
@@ -184,20 +203,16 @@ class BinaryBuilder {
   }
 
   std::pair<Range, Range> partition(const Range& range, const Binning& binning, const Split& split) {
-    Range left{range.begin, range.begin, {}, {}}, right{range.end, range.end, {}, {}};
-    const auto add = [](Range& to, const FloatBox& box) {
-      to.box.extend(box);
-      to.centers.extend(center_of(box));
-    };
+    Range left{range.begin, range.begin}, right{range.end, range.end};
     std::uint32_t i = range.begin, end = range.end;
     while (i < end) {
-      const FloatBox& box = boxes_[i].box;
-      if (binning.of(box)[static_cast<int>(split.axis)] < split.bin) {
-        add(left, box);
+      const TriangleGroup& group = groups_[i];
+      if (binning.of(group.box)[static_cast<int>(split.axis)] < split.bin) {
+        left.add(group);
         ++i;
       } else {
-        add(right, box);
-        std::swap(boxes_[i], boxes_[--end]);
+        right.add(group);
+        std::swap(groups_[i], groups_[--end]);
       }
     }
     left.end = right.begin = i;
@@ -207,18 +222,14 @@ class BinaryBuilder {
   /// Where no plane parts the centres, any half is as good as another.
   std::pair<Range, Range> halves(const Range& range) {
     const std::uint32_t middle = range.begin + range.count() / 2;
-    Range left{range.begin, middle, {}, {}}, right{middle, range.end, {}, {}};
-    for (Range* half : {&left, &right}) {
-      for (std::uint32_t i = half->begin; i < half->end; ++i) {
-        half->box.extend(boxes_[i].box);
-        half->centers.extend(center_of(boxes_[i].box));
-      }
-    }
+    Range left{range.begin, middle}, right{middle, range.end};
+    for (Range* half : {&left, &right})
+      for (std::uint32_t i = half->begin; i < half->end; ++i) half->add(groups_[i]);
     return {left, right};
   }
 
-  const TriangleMesh& mesh_;
-  std::span<TriangleBox> boxes_;
+  const ListedTriangles& listed_;
+  std::span<TriangleGroup> groups_;
   MappedArray<BinaryNode> nodes_;
   std::atomic<std::uint32_t> used_ = 1;
   std::atomic<int> helpers_;
@@ -226,21 +237,8 @@ class BinaryBuilder {
 
 }  // namespace
 
-std::uint32_t count_vertices(const TriangleMesh& mesh, std::span<const TriangleBox> triangles, std::uint32_t most) {
-  std::array<std::uint32_t, 3 * kLeafTriangles> seen;
-  std::uint32_t count = 0;
-  for (const TriangleBox& box : triangles) {
-    for (const std::uint32_t vertex : mesh.triangles[box.triangle()]) {
-      if (std::find(seen.begin(), seen.begin() + count, vertex) != seen.begin() + count) continue;
-      seen[count++] = vertex;
-      if (count > most) return count;
-    }
-  }
-  return count;
-}
-
-MappedArray<BinaryNode> build_binary_tree(const TriangleMesh& mesh, std::span<TriangleBox> boxes, int threads) {
-  return BinaryBuilder(mesh, boxes, threads).build();
+MappedArray<BinaryNode> build_binary_tree(const ListedTriangles& listed, std::span<TriangleGroup> groups, int threads) {
+  return BinaryBuilder(listed, groups, threads).build();
 }
 
 }  // namespace plumb

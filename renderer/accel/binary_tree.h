@@ -11,15 +11,21 @@
 
 namespace plumb {
 
-/// A triangle, or the part of one, as the builder sees it: 32 bytes, the number being the bits of the fourth lane of `box.low`.
-struct TriangleBox {
+/// Triangles that stay together, as the builder sees them: 32 bytes, the fourth lanes of the box' sides holding bits of other numbers. They are
+/// `count` from `first` in a list of triangles.
+struct TriangleGroup {
   FloatBox box;
 
-  std::uint32_t triangle() const { return std::bit_cast<std::uint32_t>(static_cast<float>(box.low[3])); }
-  void set_triangle(std::uint32_t triangle) { box.low[3] = std::bit_cast<float>(triangle); }
+  std::uint32_t first() const { return std::bit_cast<std::uint32_t>(static_cast<float>(box.low[3])); }
+  std::uint32_t count() const { return std::bit_cast<std::uint32_t>(static_cast<float>(box.high[3])); }
+  void set(const FloatBox& around, std::uint32_t first, std::uint32_t count) {
+    box = around;
+    box.low[3] = std::bit_cast<float>(first);
+    box.high[3] = std::bit_cast<float>(count);
+  }
 };
 
-/// A node of the binary tree that an 8-wide one is gathered from. Its children stand side by side at `first`; a leaf's triangles are
+/// A node of the binary tree that an 8-wide one is gathered from. Its children stand side by side at `first`; a leaf's groups are
 /// `count` from `first` in the order that the build leaves behind.
 struct BinaryNode {
   FloatBox box;
@@ -36,11 +42,14 @@ struct BinaryNode {
 constexpr std::uint32_t kLeafTriangles = 8;
 constexpr std::uint32_t kLeafVertices = 8;
 
-/// Builds top down by the surface area heuristic over bins [Wald 2007] until what is left fits a leaf, and reorders `boxes` so that leaves are runs of
-/// it. Node 0 is the root; `boxes` is not empty. No path is longer than kBvh8Deepest.
-MappedArray<BinaryNode> build_binary_tree(const TriangleMesh& mesh, std::span<TriangleBox> boxes, int threads);
+/// A mesh and the list of its triangles that groups refer to.
+struct ListedTriangles {
+  const TriangleMesh& mesh;
+  std::span<const std::uint32_t> triangles;
+};
 
-/// How many vertices the triangles have together, but at most `most` + 1.
-std::uint32_t count_vertices(const TriangleMesh& mesh, std::span<const TriangleBox> triangles, std::uint32_t most);
+/// Builds top down by the surface area heuristic over bins [Wald 2007] until what is left fits a leaf, and reorders `groups` so that leaves are
+/// runs of it. Node 0 is the root; `groups` is not empty. No path is longer than kBvh8Deepest.
+MappedArray<BinaryNode> build_binary_tree(const ListedTriangles& listed, std::span<TriangleGroup> groups, int threads);
 
 }  // namespace plumb

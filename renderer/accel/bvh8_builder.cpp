@@ -3,102 +3,30 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <future>
 #include <limits>
 #include <new>
-#include <thread>
 #include <vector>
 
 #include "renderer/accel/binary_tree.h"
 #include "renderer/accel/filter_ray.h"
-#include "renderer/math/bounds3.h"
+#include "renderer/accel/frame_vertices.h"
+#include "renderer/accel/in_parts.h"
+#include "renderer/accel/triangle_groups.h"
 
 namespace plumb {
 namespace {
 
-/// Calls f(begin, end) for parts of 0 .. count - 1, one a thread.
-template <class F>
-void in_parts(std::size_t count, int threads, const F& f) {
-  const std::size_t parts = count < 10000 ? 1 : static_cast<std::size_t>(threads);
-  std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < parts; ++i) others.emplace_back([&, i] { f(count * i / parts, count * (i + 1) / parts); });
-  f(0, count / parts);
-}
-
-bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-/// The frame in which the vertices are floats, and of moderate size.
-FilterFrame frame_of(const TriangleMesh& mesh) {
-  Bounds3 bounds;
-  for (const Point3& p : mesh.positions)
-    if (is_finite(p)) bounds.extend(p);
-  FilterFrame frame;
-  if (bounds.empty()) return frame;
-  const auto reach_from = [&](const Point3& center) {
-    double reach = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      reach = std::max({reach, std::fabs(bounds.min[axis] - center[axis]), std::fabs(bounds.max[axis] - center[axis])});
-    return reach;
-  };
-  double reach = reach_from({});
-  const Point3 middle = bounds.center();
-  // Far from the origin, as in [1000, 1001]: the difference of such numbers needs fewer digits.
-  if (reach > 16 * reach_from(middle) && reach < 0x1p100) {
-    for (int axis = 0; axis < 3; ++axis) frame.center[axis] = static_cast<double>(static_cast<float>(middle[axis]));
-    reach = reach_from(frame.center);
-  }
-  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0) frame.factor = std::scalbn(1.0, std::clamp(-std::ilogb(reach), -1000, 1000));
-  frame.reach = std::max(reach * frame.factor, 0x1p-30) * (1 + 0x1p-20);
-  return frame;
-}
-
-/// The vertices in the frame, and how far rounding them to floats moved one on an axis at most.
-class FrameVertices {
- public:
-  FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, int threads) : vertices_(mesh.positions.size()) {
-    std::atomic<double> error = 0;
-    in_parts(mesh.positions.size(), threads, [&](std::size_t begin, std::size_t end) {
-      double largest = 0;
-      for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, set(i, mesh.positions[i], frame));
-      for (double seen = error; seen < largest && !error.compare_exchange_weak(seen, largest);) {
-      }
-    });
-    frame.vertex_error = error;
-    if (error > 0 && frame.center != Point3{}) frame.vertex_error += 0x1p-52 * frame.reach;
-  }
-  BoxSide operator[](std::uint32_t i) const { return vertices_[i]; }
-
- private:
-  double set(std::size_t i, const Point3& p, const FilterFrame& frame) {
-    BoxSide vertex{};
-    double error = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double moved = p[axis] - frame.center[axis];
-      const double exact = moved * frame.factor;
-      vertex[axis] = static_cast<float>(exact);
-      // What the subtraction lost shows when it is undone.
-      const double lost = std::fabs((frame.center[axis] + moved) - p[axis]) * frame.factor;
-      const double off = std::fabs(static_cast<double>(vertex[axis]) - exact) + lost;
-      if (off > error) error = off;  // not of NaN, whose triangles are left out
-    }
-    vertices_[i] = vertex;
-    return std::isfinite(error) ? error : 0;
-  }
-
-  MappedArray<BoxSide> vertices_;
-};
-
 /// Gathers eight children at a time from the binary tree.
 class Gatherer {
  public:
-  Gatherer(const TriangleMesh& mesh, const FrameVertices& vertices, std::span<const TriangleBox> boxes, std::span<const BinaryNode> binary,
-           Bvh8Tree& tree, int threads)
-      : mesh_(mesh), vertices_(vertices), boxes_(boxes), binary_(binary), tree_(tree), helpers_(threads - 1) {}
+  Gatherer(const ListedTriangles& listed, const FrameVertices& vertices, std::span<const TriangleGroup> groups,
+           std::span<const BinaryNode> binary, Bvh8Tree& tree, int threads)
+      : listed_(listed), vertices_(vertices), groups_(groups), binary_(binary), tree_(tree), helpers_(threads - 1) {}
 
   void gather() {
     tree_.lines = MappedArray<CacheLine>(kNodeLines * binary_.size());
-    tree_.triangles = MappedArray<std::uint32_t>(boxes_.size());
+    tree_.triangles = MappedArray<std::uint32_t>(listed_.triangles.size());
     gather_node(0, 0, 0);
     tree_.lines.shrink(lines_);
   }
@@ -190,47 +118,42 @@ class Gatherer {
 
   void fill_leaf(Bvh8Leaf& leaf, const BinaryNode& from) {
     std::array<std::uint32_t, kLeafVertices> seen;
-    std::uint32_t vertices = 0;
-    leaf.first = from.first;
-    leaf.present = static_cast<std::uint8_t>((1U << from.count) - 1);
-    for (std::uint32_t slot = 0; slot < from.count; ++slot) {
-      const std::uint32_t triangle = boxes_[from.first + slot].triangle();
-      tree_.triangles[from.first + slot] = triangle;
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const std::uint32_t vertex = mesh_.triangles[triangle][corner];
-        std::uint32_t at = 0;
-        while (at < vertices && seen[at] != vertex) ++at;
-        if (at == vertices) {
-          seen[vertices++] = vertex;
-          const BoxSide p = vertices_[vertex];
-          for (int axis = 0; axis < 3; ++axis) leaf.vertices[static_cast<std::size_t>(axis)][at] = p[axis];
-        }
-        leaf.corner[corner][slot] = static_cast<std::uint8_t>(at);
+    std::uint32_t vertices = 0, slot = 0;
+    const auto place = [&](std::uint32_t vertex) {
+      const auto known = std::find(seen.begin(), seen.begin() + vertices, vertex) - seen.begin();
+      if (known == vertices) {
+        seen[vertices++] = vertex;
+        const BoxSide p = vertices_[vertex];
+        for (int axis = 0; axis < 3; ++axis)
+          leaf.vertices[static_cast<std::size_t>(axis)][static_cast<std::size_t>(known)] = p[axis];
+      }
+      return static_cast<std::uint8_t>(known);
+    };
+    const auto groups = groups_.subspan(from.first, from.count);
+    std::uint32_t count = 0;
+    for (const TriangleGroup& group : groups) count += group.count();
+    leaf.first = triangles_.fetch_add(count);
+    leaf.present = static_cast<std::uint8_t>((1U << count) - 1);
+    for (const TriangleGroup& group : groups) {
+      for (const std::uint32_t triangle : listed_.triangles.subspan(group.first(), group.count())) {
+        tree_.triangles[leaf.first + slot] = triangle;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+          leaf.corner[corner][slot] = place(listed_.mesh.triangles[triangle][corner]);
+        ++slot;
       }
     }
     // Lanes that nothing uses must not hold what slows arithmetic down.
     for (auto& row : leaf.vertices) std::fill(row.begin() + vertices, row.end(), row[0]);
   }
 
-  const TriangleMesh& mesh_;
+  const ListedTriangles& listed_;
   const FrameVertices& vertices_;
-  std::span<const TriangleBox> boxes_;
+  std::span<const TriangleGroup> groups_;
   std::span<const BinaryNode> binary_;
   Bvh8Tree& tree_;
-  std::atomic<std::uint32_t> lines_ = kNodeLines;
+  std::atomic<std::uint32_t> lines_ = kNodeLines, triangles_ = 0;
   std::atomic<int> helpers_;
 };
-
-/// Those whose numbers are all finite, moved to the front.
-std::span<TriangleBox> finite_ones(const TriangleMesh& mesh, std::span<TriangleBox> boxes) {
-  if (std::ranges::all_of(mesh.positions, is_finite)) return boxes;
-  const auto has_other = [&](const TriangleBox& box) {
-    const auto& [a, b, c] = mesh.triangles[box.triangle()];
-    return !(is_finite(mesh.positions[a]) && is_finite(mesh.positions[b]) && is_finite(mesh.positions[c]));
-  };
-  const auto others = std::ranges::remove_if(boxes, has_other);
-  return boxes.first(boxes.size() - others.size());
-}
 
 }  // namespace
 
@@ -240,19 +163,13 @@ Bvh8Tree build_bvh8(const TriangleMesh& mesh, const Bvh8Options& options) {
   const FrameVertices vertices(mesh, tree.frame, options.threads);
   set_filter_errors(tree.frame);
   tree.exact_vertices = tree.frame.vertex_error == 0 && tree.frame.factor == 1 && tree.frame.center == Point3{};
-  MappedArray<TriangleBox> boxes(mesh.triangles.size());
-  in_parts(mesh.triangles.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      FloatBox box;
-      for (const std::uint32_t vertex : mesh.triangles[i]) box.extend(vertices[vertex]);
-      boxes[i].box = box;
-      boxes[i].set_triangle(static_cast<std::uint32_t>(i));
-    }
-  });
-  const std::span<TriangleBox> all = finite_ones(mesh, {boxes.data(), boxes.size()});
-  if (all.empty()) return tree;
-  const MappedArray<BinaryNode> binary = build_binary_tree(mesh, all, options.threads);
-  Gatherer(mesh, vertices, all, {binary.data(), binary.size()}, tree, options.threads).gather();
+  if (!tree.frame.is_usable) return tree;
+  TriangleGroups groups = group_triangles(mesh, vertices, options.threads);
+  if (groups.groups.size() == 0) return tree;
+  const ListedTriangles listed{mesh, groups.listed()};
+  const std::span<TriangleGroup> all(groups.groups.data(), groups.groups.size());
+  const MappedArray<BinaryNode> binary = build_binary_tree(listed, all, options.threads);
+  Gatherer(listed, vertices, all, {binary.data(), binary.size()}, tree, options.threads).gather();
   return tree;
 }
 

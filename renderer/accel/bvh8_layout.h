@@ -46,6 +46,8 @@ struct FilterFrame {
   /// No coordinate of an origin that counts as near is larger.
   float near = 0;
   bool is_identity = true;
+  /// False where the mesh is so large or small that a frame of it has no doubles.
+  bool is_usable = true;
 
   Point3 operator()(const Point3& p) const {
     return {(p.x - center.x) * factor, (p.y - center.y) * factor, (p.z - center.z) * factor};

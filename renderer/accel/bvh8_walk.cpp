@@ -234,28 +234,32 @@ HWY_EXPORT(any);
 namespace {
 
 FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
+  const FilterRay::Fate fate =
+      make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
+  if (fate != FilterRay::Fate::walk) return fate;
   if (searched.tree.lines.size() == 0) return FilterRay::Fate::misses;
-  const auto fate = make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
-  if (fate == FilterRay::Fate::walk && ray.nearest < ray.object().t_max)
-    filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
+  if (ray.nearest < ray.object().t_max) filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
   return fate;
 }
 
-/// One triangle after the other, for rays that floats tell nothing of: seen from the mesh they are noise.
+ClosestTriangle search(const SearchedMesh& searched, const PlacedRay& ray) {
+  return {ray, searched.mesh, searched.largest_coordinate};
+}
+
 std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
-  ClosestTriangle closest(ray, searched.mesh, searched.largest_coordinate);
+  ClosestTriangle closest = search(searched, ray);
   const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
-  for (std::uint32_t i = 0; i < count; ++i) closest.offer(i);
+  for (std::uint32_t triangle = 0; triangle < count; ++triangle) closest.offer(triangle);
   counters.primitive_tests += count;
   return closest.result();
 }
 
 bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
-  const ClosestTriangle triangles(ray, searched.mesh, searched.largest_coordinate);
+  const ClosestTriangle triangles = search(searched, ray);
   const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
     ++counters.primitive_tests;
-    if (triangles.meets(i)) return true;
+    if (triangles.meets(triangle)) return true;
   }
   return false;
 }
@@ -264,18 +268,28 @@ bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounter
 
 std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  const FilterRay::Fate fate = prepare(searched, ray, filter);
-  if (fate == FilterRay::Fate::walk) [[likely]]
-    return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, filter, counters);
-  return fate == FilterRay::Fate::misses ? std::nullopt : closest_of_all(searched, ray, counters);
+  switch (prepare(searched, ray, filter)) {
+    case FilterRay::Fate::walk:
+      return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, filter, counters);
+    case FilterRay::Fate::misses:
+      return std::nullopt;
+    case FilterRay::Fate::unfiltered:
+      break;
+  }
+  return closest_of_all(searched, ray, counters);
 }
 
 bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  const FilterRay::Fate fate = prepare(searched, ray, filter);
-  if (fate == FilterRay::Fate::walk) [[likely]]
-    return HWY_DYNAMIC_DISPATCH(any)(searched, ray, filter, counters);
-  return fate == FilterRay::Fate::unknown && any_of_all(searched, ray, counters);
+  switch (prepare(searched, ray, filter)) {
+    case FilterRay::Fate::walk:
+      return HWY_DYNAMIC_DISPATCH(any)(searched, ray, filter, counters);
+    case FilterRay::Fate::misses:
+      return false;
+    case FilterRay::Fate::unfiltered:
+      break;
+  }
+  return any_of_all(searched, ray, counters);
 }
 
 }  // namespace plumb

@@ -9,8 +9,10 @@ namespace plumb {
 namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
+constexpr double kLargestDouble = std::numeric_limits<double>::max();
 constexpr double kU = 0x1p-24;  // the largest relative rounding of a float
-/// Rays from farther away than 4 reaches are moved near first, to within 1.1: no vertex is farther than this from an origin, on an axis, in reaches.
+/// Rays from farther away than 4 reaches are moved near first, to about one (from very far, what is more is part of the origin's error):
+/// no vertex is farther than this from an origin, on an axis, in reaches.
 constexpr double kFarthest = 5.001;
 
 /// The longest axis, by which of |x| > |y|, |x| > |z|, |y| > |z| hold, as bits from the lowest; and the two after it.
@@ -29,12 +31,6 @@ struct FrameRay {
   RayError error;
   double t_min, t_max;
 };
-
-/// Whether the ray's errors are so much larger than the mesh that next to nothing is surely missed. NaN is.
-bool is_lost(const FrameRay& ray, const FilterFrame& frame) {
-  constexpr double kMost = 0x1p10;
-  return !(ray.error.origin <= kMost * frame.reach && ray.error.direction <= kMost * largest(ray.direction));
-}
 
 /// Moves the origin to where the ray comes near the mesh: the closer it is, the less its coordinates are rounded. Nothing is left where
 /// the ray passes by. `moved` is how far t was moved.
@@ -84,7 +80,7 @@ void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, doub
                 float& distance_error) {
   // Of a vertex from the origin, on an axis.
   const double reach = kFarthest * frame.reach;
-  const double moved = offset + frame.vertex_error;
+  const double moved = (offset + frame.vertex_error) * 1.0001;
   const double sheared = 7.5 * kU * reach + 2.001 * moved + 2.1 * slant * reach;
   const double weight = (sheared + 4 * kU * reach) * (1 + 0x1p-19);
   filter.weight_error = static_cast<float>(weight);
@@ -128,8 +124,9 @@ void set_lines(FilterRay& filter, const FloatLine& line, float along, float marg
   filter.depth_error = reciprocal_size * distance_error;
 }
 
-/// The same of a ray in doubles, with the errors of rounding it and those that it has already.
-void set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
+/// The same of a ray in doubles, with the errors of rounding it and those that it has already. False where these are so large that the
+/// bounds' derivation does not hold.
+bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
   const FloatLine line = in_floats(ray.origin, ray.direction);
   const auto off = [](const auto& exact, BoxSide rounded) {
     return std::max(std::fabs(exact.x - static_cast<double>(rounded[0])),
@@ -137,38 +134,34 @@ void set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame)
   };
   const float along = largest(size_of(line.direction));
   const double offset = ray.error.origin + off(ray.origin, line.origin), slant = ray.error.direction + off(ray.direction, line.direction);
+  if (!(offset <= frame.reach && slant <= 0x1p-12 * static_cast<double>(along))) return false;
   float margin = 0, distance_error = 0;
   set_errors(filter, frame, offset, slant / static_cast<double>(along), margin, distance_error);
   set_lines(filter, line, along, margin, distance_error);
+  return true;
 }
 
 /// A ray of any size, or from far away.
 FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
   const double length = largest(ray.direction), distance = largest(ray.origin);
-  // NaN fails every comparison.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!(length > 0 && length < kInfinity && distance < kInfinity && ray.t_min <= ray.t_max) || std::isnan(dot(ray.direction, ray.direction)) || std::isnan(ray.origin.x + ray.origin.y + ray.origin.z))
-    return FilterRay::Fate::misses;
-  const int shorten = -std::ilogb(length);
-  const auto shortened = [&](double value) { return std::scalbn(value, shorten); };
-  const Vec3& d = ray.direction;
-  FrameRay moved{frame(ray.origin),
-                 {shortened(d.x), shortened(d.y), shortened(d.z)},
-                 {error.origin * frame.factor, shortened(error.direction)},
-                 0,
-                 0};
+  const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
+  if (!(ray.t_min <= ray.t_max)) return FilterRay::Fate::misses;
+  // NaN fails every comparison, or makes the sum one. A ray that was taken to another frame may have lost its direction on the way.
+  if (std::isnan(sum) || !(length > 0 && length <= kLargestDouble && distance <= kLargestDouble))
+    return error.origin == 0 && error.direction == 0 ? FilterRay::Fate::misses : FilterRay::Fate::unfiltered;
+  if (!(length >= 0x1p-400 && length <= 0x1p400)) return FilterRay::Fate::unfiltered;
+  const double shorten = std::scalbn(1.0, -std::ilogb(length));
+  FrameRay moved{frame(ray.origin), shorten * ray.direction, {error.origin * frame.factor, error.direction * shorten}, 0, 0};
+  if (!(largest(moved.origin) <= 0x1p60)) return FilterRay::Fate::unfiltered;
   if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(moved.origin);
-  filter.t_factor = std::scalbn(frame.factor, -shorten);
-  // Within these nothing below leaves the range of doubles, or that of floats.
-  const bool is_ordinary = filter.t_factor >= 0x1p-900 && filter.t_factor <= 0x1p900 && largest(moved.origin) <= 0x1p60 * frame.reach;
-  if (!is_ordinary || is_lost(moved, frame)) return FilterRay::Fate::unknown;
+  filter.t_factor = frame.factor / shorten;
   moved.t_min = ray.t_min * filter.t_factor;
   moved.t_max = ray.t_max * filter.t_factor;
   double start = 0;
+  if (!(moved.error.direction <= 0x1p-12 && moved.error.origin <= frame.reach)) return FilterRay::Fate::unfiltered;
   if (!move_near(moved, frame, start)) return FilterRay::Fate::misses;
-  if (is_lost(moved, frame)) return FilterRay::Fate::unknown;
   filter.t_start = start / filter.t_factor;
-  set_lines(filter, moved, frame);
+  if (!set_lines(filter, moved, frame)) return FilterRay::Fate::unfiltered;
   const double rounding = 0x1p-50 * std::fabs(start);
   filter.t_min = wide_start(std::max(0.0, moved.t_min - rounding));
   filter.t_max = wide_end(moved.t_max + rounding);
@@ -190,6 +183,7 @@ FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const Fil
   // By reference: a copy would load pairs of numbers that were stored one by one just before, which processors are slow at.
   Point3 in_frame;
   const Point3& origin = frame.is_identity ? ray.origin : (in_frame = frame(ray.origin));
+  if (!frame.is_usable) return FilterRay::Fate::unfiltered;
   const Vec3& direction = ray.direction;
   const FloatLine line = in_floats(origin, direction);
   const float along = largest(size_of(line.direction));
@@ -211,8 +205,7 @@ FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const Fil
   } else {
     FrameRay moved{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
     if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(origin);
-    if (is_lost(moved, frame)) return FilterRay::Fate::unknown;
-    set_lines(filter, moved, frame);
+    if (!set_lines(filter, moved, frame)) return FilterRay::Fate::unfiltered;
   }
   return FilterRay::Fate::walk;
 }

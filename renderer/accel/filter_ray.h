@@ -49,14 +49,15 @@ struct FilterRay {
     return wide_end((t - t_start) * t_factor + 0x1p-50 * (std::fabs(t) + std::fabs(t_start)) * t_factor);
   }
 
-  enum class Fate { walk, misses, unknown };
+  /// `unfiltered`: the ray, or the way to it, has too few digits or too large numbers for bounds in floats to mean anything.
+  enum class Fate { walk, misses, unfiltered };
 };
 
 /// Fills in the bounds of a frame whose reach and vertex_error are known.
 void set_filter_errors(FilterFrame& frame);
 
 /// Fills `filter` for a ray in the mesh's coordinates; `misses` where the range is empty, the ray does not come near the mesh, or a number is
-/// not finite; `unknown` where its errors are so much larger than the mesh, or its numbers so far from the mesh's, that floats tell nothing.
+/// not finite. Of `unfiltered` nothing is filled in: every triangle has to be looked at.
 FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter);
 
 }  // namespace plumb

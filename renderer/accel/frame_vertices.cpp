@@ -1,0 +1,70 @@
+#include "renderer/accel/frame_vertices.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "renderer/accel/in_parts.h"
+#include "renderer/math/bounds3.h"
+
+namespace plumb {
+namespace {
+
+bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+}  // namespace
+
+FilterFrame frame_of(const TriangleMesh& mesh) {
+  Bounds3 bounds;
+  for (const Point3& p : mesh.positions)
+    if (is_finite(p)) bounds.extend(p);
+  FilterFrame frame;
+  if (bounds.empty()) return frame;
+  const auto reach_from = [&](const Point3& center) {
+    double reach = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      reach = std::max({reach, std::fabs(bounds.min[axis] - center[axis]), std::fabs(bounds.max[axis] - center[axis])});
+    return reach;
+  };
+  double reach = reach_from({});
+  const Point3 middle = bounds.center();
+  // Far from the origin, as in [1000, 1001]: the difference of such numbers needs fewer digits.
+  if (reach > 16 * reach_from(middle) && reach < 0x1p100) {
+    for (int axis = 0; axis < 3; ++axis) frame.center[axis] = static_cast<double>(static_cast<float>(middle[axis]));
+    reach = reach_from(frame.center);
+  }
+  frame.is_usable = reach == 0 || (reach >= 0x1p-400 && reach <= 0x1p400);
+  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0 && frame.is_usable) frame.factor = std::scalbn(1.0, -std::ilogb(reach));
+  frame.reach = std::max(reach * frame.factor, 0x1p-30) * (1 + 0x1p-20);
+  return frame;
+}
+
+FrameVertices::FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, int threads) : vertices_(mesh.positions.size()) {
+  std::atomic<double> error = 0;
+  in_parts(mesh.positions.size(), threads, [&](std::size_t begin, std::size_t end) {
+    double largest = 0;
+    for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, set(i, mesh.positions[i], frame));
+    for (double seen = error; seen < largest && !error.compare_exchange_weak(seen, largest);) {
+    }
+  });
+  frame.vertex_error = error;
+  if (error > 0 && frame.center != Point3{}) frame.vertex_error += 0x1p-52 * frame.reach;
+}
+
+double FrameVertices::set(std::size_t i, const Point3& p, const FilterFrame& frame) {
+  BoxSide vertex{};
+  double error = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double moved = p[axis] - frame.center[axis];
+    const double exact = moved * frame.factor;
+    vertex[axis] = static_cast<float>(exact);
+    // What the subtraction lost shows when it is undone.
+    const double lost = std::fabs((frame.center[axis] + moved) - p[axis]) * frame.factor;
+    const double off = std::fabs(static_cast<double>(vertex[axis]) - exact) + lost;
+    if (off > error) error = off;  // not of NaN, whose triangles are left out
+  }
+  vertices_[i] = vertex;
+  return std::isfinite(error) ? error : 0;
+}
+
+}  // namespace plumb

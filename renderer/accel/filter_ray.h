@@ -12,9 +12,10 @@
 namespace plumb {
 
 /// The ends of a range, t >= 0, by at most three floats too wide; without a branch that the processor would have to guess.
-/// The start is above 0, so that what lies behind it is not -0; the boxes' margin has room for that.
+/// The start is above 0, so that what lies behind it is not -0, and the end of a range that reaches 0 above that start; the boxes' margin
+/// has room for the one, and the other only widens.
 inline float wide_start(double t) { return std::max(static_cast<float>(t) * (1 - 0x1p-23F), 0x1p-120F); }
-inline float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-126F; }
+inline float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-119F; }
 
 /// How far the numbers of a ray may be from those that it stands for, on each axis.
 struct RayError {

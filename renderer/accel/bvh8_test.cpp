@@ -177,7 +177,7 @@ TEST(Bvh8, FindsTheSameHitsBeyondWhereFloatsEnd) {
   SearchTally sum;
   int sizes = 0;
   for (const double size : {1e-320, 1e-300, 1e-24, 1.0, 1e17, 1e300}) {
-    SearchComparison compare(moved(icosphere(2), size, {}));
+    SearchComparison compare(moved(icosphere(1), size, {}));
     for (const double far : {1e-310, 1e-200, 1e-30, 1e-10, 1.0, 1e10, 1e20, 1e40, 1e60, 1e100, 1e200, 1e307}) {
       for (const double length : {1e-320, 1e-300, 1e-100, 1.0, 1e100, 1e300}) {
         for (int i = 0; i < 6; ++i) {
@@ -197,7 +197,7 @@ TEST(Bvh8, FindsTheSameHitsBeyondWhereFloatsEnd) {
   }
   EXPECT_EQ(sizes, 6);
   EXPECT_EQ(sum.rays, 6 * 12 * 6 * 18);
-  EXPECT_GT(sum.hits, 5000);
+  EXPECT_GT(sum.hits, 3500);
   EXPECT_EQ(sum.different, 0);
 }
 

@@ -233,7 +233,7 @@ HWY_EXPORT(any);
 
 namespace {
 
-FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
+[[gnu::always_inline]] inline FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
   const FilterRay::Fate fate =
       make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
   if (fate != FilterRay::Fate::walk) return fate;
@@ -246,7 +246,8 @@ ClosestTriangle search(const SearchedMesh& searched, const PlacedRay& ray) {
   return {ray, searched.mesh, searched.largest_coordinate};
 }
 
-std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+// Not part of their callers, which every ray goes through: they would take more registers.
+[[gnu::noinline]] std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   ClosestTriangle closest = search(searched, ray);
   const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) closest.offer(triangle);
@@ -254,7 +255,7 @@ std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const Pla
   return closest.result();
 }
 
-bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+[[gnu::noinline]] bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   const ClosestTriangle triangles = search(searched, ray);
   const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) {

@@ -97,13 +97,13 @@ struct FloatLine {
   BoxSide origin, direction;
 };
 
-FloatLine in_floats(const Point3& o, const Vec3& d) {
+[[gnu::always_inline]] inline FloatLine in_floats(const Point3& o, const Vec3& d) {
   return {BoxSide{static_cast<float>(o.x), static_cast<float>(o.y), static_cast<float>(o.z), 0},
           BoxSide{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), 0}};
 }
 
 /// Everything but the range, of a ray that is near the mesh and of moderate length. `along` is the direction's largest coordinate.
-void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin, float distance_error) {
+[[gnu::always_inline]] inline void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin, float distance_error) {
   const auto& [o, d] = line;
   const BoxSide sizes = size_of(d);
   const BoxSide wider = with_signs(all(margin), d);
@@ -126,7 +126,7 @@ void set_lines(FilterRay& filter, const FloatLine& line, float along, float marg
 
 /// The same of a ray in doubles, with the errors of rounding it and those that it has already. False where these are so large that the
 /// bounds' derivation does not hold.
-bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
+[[gnu::noinline]] bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
   const FloatLine line = in_floats(ray.origin, ray.direction);
   const auto off = [](const auto& exact, BoxSide rounded) {
     return std::max(std::fabs(exact.x - static_cast<double>(rounded[0])),
@@ -141,8 +141,15 @@ bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame)
   return true;
 }
 
+[[gnu::noinline]] bool set_rounded_lines(FilterRay& filter, const Point3& origin, const Vec3& direction, const RayError& error,
+                                         const FilterFrame& frame) {
+  FrameRay ray{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
+  if (frame.center != Point3{}) ray.error.origin += 0x1p-53 * largest(origin);
+  return set_lines(filter, ray, frame);
+}
+
 /// A ray of any size, or from far away.
-FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
+[[gnu::noinline]] FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
   const double length = largest(ray.direction), distance = largest(ray.origin);
   const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
   if (!(ray.t_min <= ray.t_max)) return FilterRay::Fate::misses;
@@ -202,12 +209,9 @@ FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const Fil
     filter.weight_error = frame.weight_error;
     filter.weight_error_constant = frame.weight_error_constant;
     set_lines(filter, line, along, frame.margin, frame.distance_error);
-  } else {
-    FrameRay moved{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
-    if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(origin);
-    if (!set_lines(filter, moved, frame)) return FilterRay::Fate::unfiltered;
+    return FilterRay::Fate::walk;
   }
-  return FilterRay::Fate::walk;
+  return set_rounded_lines(filter, origin, direction, error, frame) ? FilterRay::Fate::walk : FilterRay::Fate::unfiltered;
 }
 
 }  // namespace plumb

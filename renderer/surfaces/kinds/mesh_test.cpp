@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "meshes/generators/icosphere.h"
 #include "meshes/formats/write_msh.h"
+#include "meshes/generators/icosphere.h"
+#include "renderer/accel/triangle_search.h"
 #include "renderer/scene_for_tests.h"
 
 namespace plumb {
@@ -72,6 +74,23 @@ TEST(Mesh, WithoutTrianglesIsNeverHit) {
     EXPECT_FALSE(mesh.hit({{0, 0, 3}, {0, 0, -1}}));
     EXPECT_TRUE(mesh->bounds().empty());
   }
+}
+
+TEST(Mesh, ElementsOfTheSameFileShareOneHierarchy) {
+  write_msh(quad(), scene_test_file("mesh.msh"));
+  const std::string mesh = "<surface type='Mesh'><data>mesh.msh</data></surface>";
+  const ReadScene read = scene_of(mesh + "<surface type='Group'><scale>2 2 2</scale>" + mesh + "</surface>");
+  const MeshTable meshes = load_meshes(read.description);
+  std::vector<std::string> warnings;
+  SurfaceContext context{meshes, Accel::bvh8, warnings};
+  const auto kind = std::ranges::find(surface_kinds(), "Mesh", [](const SurfaceKind* each) { return each->kind.name; });
+  std::vector<std::unique_ptr<Surface>> made;
+  const auto elements = read.description.scene->objects("surface");
+  for (const ObjectPointer& element : {elements[0], elements[1]->objects("surface")[0]})
+    made.push_back((*kind)->make(*element, context));
+  ASSERT_EQ(context.searches.size(), 1u);
+  EXPECT_EQ(context.searches.begin()->second.use_count(), 3) << "the table's and the two surfaces'";
+  EXPECT_EQ(read.scene.placed().size(), 2u);
 }
 
 TEST(Mesh, BoundsLeaveOutVerticesThatNoTriangleUses) {

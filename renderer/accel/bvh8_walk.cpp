@@ -20,7 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb {
 namespace HWY_NAMESPACE {
 
-/// A child and where the ray enters its box, in one number that sorts by the latter: the bits of t >= 0, then the reference.
+/// A child and where the ray enters its box, in one number that sorts by the latter: the bits of t >= 0, then the
+/// reference.
 class Entry {
  public:
   Entry() = default;
@@ -44,7 +45,12 @@ class Entry {
 class Walk {
  public:
   HWY_INLINE Walk(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter)
-      : searched_(searched), tree_(searched.tree), base_(reinterpret_cast<const char*>(tree_.lines.data())), ray_(ray), filter_(filter), node_test_(filter) {}
+      : searched_(searched),
+        tree_(searched.tree),
+        base_(reinterpret_cast<const char*>(tree_.lines.data())),
+        ray_(ray),
+        filter_(filter),
+        node_test_(filter) {}
 
   /// Ends at the first hit with kAny, and tells whether there was one.
   template <bool kAny>
@@ -96,10 +102,12 @@ class Walk {
   HWY_INLINE std::optional<SurfaceHit> result() const { return closest_ ? closest_->result() : std::nullopt; }
 
  private:
-  /// Returns the nearest of the hit children and puts the others on the stack, nearer ones higher; with kAny in no order. Two and three
-  /// are sorted without a branch, as their order cannot be guessed. The way from the mask to the next node is kept short: all else waits for it.
+  /// Returns the nearest of the hit children and puts the others on the stack, nearer ones higher; with kAny in no
+  /// order. Two and three are sorted without a branch, as their order cannot be guessed. The way from the mask to the
+  /// next node is kept short: all else waits for it.
   template <bool kAny>
-  HWY_INLINE std::uint32_t take(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered, Entry*& top) const {
+  HWY_INLINE std::uint32_t take(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered,
+                                Entry*& top) const {
     const auto next = [&] {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(hits));
       hits &= hits - 1;
@@ -137,7 +145,9 @@ class Walk {
   }
 
   /// Half a line per reference: of a leaf half a line too far, which is subtracted where it matters.
-  HWY_INLINE const char* at(std::uint32_t reference) const { return base_ + kHalfLine * static_cast<std::size_t>(reference); }
+  HWY_INLINE const char* at(std::uint32_t reference) const {
+    return base_ + kHalfLine * static_cast<std::size_t>(reference);
+  }
   static constexpr std::size_t kHalfLine = sizeof(CacheLine) / 2;
 
   HWY_INLINE void prefetch(Entry entry) const {
@@ -145,8 +155,8 @@ class Walk {
     __builtin_prefetch(at(entry.reference()) + sizeof(CacheLine));
   }
 
-  /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges, or which it surely
-  /// meets before t_min or beyond t_max.
+  /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges,
+  /// or which it surely meets before t_min or beyond t_max.
   HWY_INLINE std::uint32_t test_leaf(const Bvh8Leaf& leaf, float t_max) const {
     const Float8 ax = load8(leaf.vertices[filter_.axis[0]].data()) - all8(filter_.origin[0]);
     const Float8 ay = load8(leaf.vertices[filter_.axis[1]].data()) - all8(filter_.origin[1]);
@@ -165,10 +175,11 @@ class Walk {
     // Rejected: lowest < -error and highest > error.
     const std::uint32_t kept = at_most(negative(error), lowest) | at_most(highest, error);
     const std::uint32_t candidates = kept & leaf.present;
-    if (candidates == 0 || (filter_.t_min < 0x1p-100F && t_max == std::numeric_limits<float>::infinity())) return candidates;
+    if (candidates == 0 || (filter_.t_min < 0x1p-100F && t_max == std::numeric_limits<float>::infinity()))
+      return candidates;
 
-    // t is that of the first corner's plane and, over det, `rise`: how much that of the two others differs, by weight. Signs are turned so
-    // that det > 0.
+    // t is that of the first corner's plane and, over det, `rise`: how much that of the two others differs, by weight.
+    // Signs are turned so that det > 0.
     const Float8 za = taken(az, a);
     const Float8 zb = taken(az, b) - za, zc = taken(az, c) - za;
     const Float8 det = (u + v) + w;
@@ -176,7 +187,8 @@ class Walk {
     const Float8 t_a = za * all8(filter_.reciprocal_z);
     const Float8 rise = negated_like((v * zb + w * zc) * all8(filter_.reciprocal_z), det);
     const Float8 area_error = error * all8(kAreaError) + area * all8(0x1p-21F);
-    const Float8 rise_error = (error * (size_of(zb) + size_of(zc))) * all8(filter_.reciprocal_size_z) + (area + error * all8(kWeightsError)) * all8(filter_.depth_error);
+    const Float8 rise_error = (error * (size_of(zb) + size_of(zc))) * all8(filter_.reciprocal_size_z) +
+                              (area + error * all8(kWeightsError)) * all8(filter_.depth_error);
     const Float8 start = all8(filter_.t_min) - t_a, end = all8(t_max) - t_a;
     const std::uint32_t not_before = at_most(start * area - size_of(start) * area_error, rise + rise_error);
     const std::uint32_t not_beyond = at_most(rise - rise_error, end * area + size_of(end) * area_error);
@@ -211,7 +223,8 @@ class Walk {
   Entry stack_[7 * kBvh8Deepest + 1];
 };
 
-std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter, TraceCounters& counters) {
+std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter,
+                                  TraceCounters& counters) {
   Walk walk(searched, ray, filter);
   walk.run<false>(counters);
   return walk.result();
@@ -233,7 +246,8 @@ HWY_EXPORT(any);
 
 namespace {
 
-[[gnu::always_inline]] inline FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
+[[gnu::always_inline]] inline FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray,
+                                                      FilterRay& filter) {
   const FilterRay::Fate fate =
       make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
   if (fate != FilterRay::Fate::walk) return fate;
@@ -247,7 +261,8 @@ ClosestTriangle search(const SearchedMesh& searched, const PlacedRay& ray) {
 }
 
 // Not part of their callers, which every ray goes through: they would take more registers.
-[[gnu::noinline]] std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+[[gnu::noinline]] std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray,
+                                                           TraceCounters& counters) {
   ClosestTriangle closest = search(searched, ray);
   const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) closest.offer(triangle);

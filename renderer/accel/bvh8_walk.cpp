@@ -118,6 +118,14 @@ class Walk {
       return Entry(entered[slot], node.child[slot]);
     };
     if ((hits & (hits - 1)) == 0) return node.child[next()];
+    if constexpr (kAny) {
+      const Bvh8Reference first = node.child[next()];
+      do {
+        *top = next_entry();
+        prefetch(*top++);
+      } while (hits != 0);
+      return first;
+    }
     Entry a = next_entry(), b = next_entry();
     Entry::sort(a, b);
     prefetch(a);

@@ -20,7 +20,8 @@ constexpr std::uint32_t kWorthAThread = 4096;
 /// What testing so many triangles costs: leaves of about five, and something for each.
 float cost_of(std::uint32_t count) { return static_cast<float>((count + 5) / 6); }
 
-/// Twice the centre. The fourth lanes, whose bits are no number, are left out: as floats most would be subnormal, and slow.
+/// Twice the centre. The fourth lanes, whose bits are no number, are left out: as floats most would be subnormal, and
+/// slow.
 BoxSide center_of(const FloatBox& box) {
   using Bits = std::int32_t __attribute__((vector_size(16)));
   constexpr Bits kThree{-1, -1, -1, 0};
@@ -64,9 +65,7 @@ class Binning {
   }
   bool splits(std::size_t axis) const { return scale_[static_cast<int>(axis)] > 0; }
   using Places = std::int32_t __attribute__((vector_size(16)));
-  Places of(const FloatBox& box) const {
-    return __builtin_convertvector((center_of(box) - low_) * scale_, Places);
-  }
+  Places of(const FloatBox& box) const { return __builtin_convertvector((center_of(box) - low_) * scale_, Places); }
 
  private:
   BoxSide low_;

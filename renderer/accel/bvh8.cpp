@@ -10,7 +10,8 @@ namespace plumb {
 Bvh8::Bvh8(std::shared_ptr<const TriangleMesh> mesh, const Bvh8Options& options)
     : mesh_(std::move(mesh)), tree_(build_bvh8(*mesh_, options)) {
   for (const Point3& p : mesh_->positions)
-    largest_coordinate_ = std::max(largest_coordinate_, std::max(std::fabs(p.x), std::max(std::fabs(p.y), std::fabs(p.z))));
+    largest_coordinate_ =
+        std::max(largest_coordinate_, std::max(std::fabs(p.x), std::max(std::fabs(p.y), std::fabs(p.z))));
 }
 
 std::optional<SurfaceHit> Bvh8::closest(const PlacedRay& ray, TraceCounters& counters) const {

@@ -12,15 +12,16 @@
 
 namespace plumb {
 
-/// The triangles of a mesh in an 8-wide hierarchy that is walked by SIMD, in floats: a box or triangle is passed by only where a proven
-/// bound of every rounding says that the ray misses it (docs/certified-kernel.md); the rest is decided by ClosestTriangle. So the hits are
-/// those of a search through all triangles, to the bit, on every instruction set. Const and safe to use from any number of threads.
+/// The triangles of a mesh in an 8-wide hierarchy that is walked by SIMD, in floats: a box or triangle is passed by
+/// only where a proven bound of every rounding says that the ray misses it (docs/certified-kernel.md); the rest is
+/// decided by ClosestTriangle. So the hits are those of a search through all triangles, to the bit, on every
+/// instruction set. Const and safe to use from any number of threads.
 class Bvh8 {
  public:
   explicit Bvh8(std::shared_ptr<const TriangleMesh> mesh, const Bvh8Options& options = {});
 
-  /// The hit with the smallest exact t in the ray's closed range, of equal ones that of the lowest triangle. A ray with NaN, an infinite
-  /// coordinate or no direction hits nothing.
+  /// The hit with the smallest exact t in the ray's closed range, of equal ones that of the lowest triangle. A ray with
+  /// NaN, an infinite coordinate or no direction hits nothing.
   std::optional<SurfaceHit> closest(const PlacedRay& ray, TraceCounters& counters) const;
   /// Whether there is one.
   bool any(const PlacedRay& ray, TraceCounters& counters) const;

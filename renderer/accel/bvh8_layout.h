@@ -12,8 +12,8 @@ namespace plumb {
 /// Where a node or leaf begins in Bvh8Tree::lines, in cache lines, times two, and one more if it is a leaf.
 using Bvh8Reference = std::uint32_t;
 
-/// Up to eight boxes: four cache lines, of which the first three hold the sides, by axis and then low and high. A box that is not there is
-/// empty, its low sides infinite and its high ones minus infinity.
+/// Up to eight boxes: four cache lines, of which the first three hold the sides, by axis and then low and high. A box
+/// that is not there is empty, its low sides infinite and its high ones minus infinity.
 struct alignas(64) Bvh8Node {
   std::array<std::array<std::array<float, 8>, 2>, 3> sides;
   std::array<Bvh8Reference, 8> child;
@@ -33,8 +33,8 @@ struct alignas(64) Bvh8Leaf {
 };
 static_assert(sizeof(Bvh8Leaf) == 128);
 
-/// What takes the mesh's coordinates to those of the leaves and boxes, floats of moderate size: (p - center) * factor, the factor a
-/// power of two. Wherever the mesh's numbers are floats of moderate size already it is the identity.
+/// What takes the mesh's coordinates to those of the leaves and boxes, floats of moderate size: (p - center) * factor,
+/// the factor a power of two. Wherever the mesh's numbers are floats of moderate size already it is the identity.
 struct FilterFrame {
   Point3 center;
   double factor = 1;

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <new>
 #include <optional>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3  // SSE4 and the scalar baseline are enough below AVX2
@@ -12,142 +11,44 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "renderer/accel/filter_ray.h"
-#include "renderer/accel/lanes8-inl.h"
-#include "renderer/accel/node_test-inl.h"
+#include "renderer/accel/bvh8_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace plumb {
 namespace HWY_NAMESPACE {
 
-/// A child and where the ray enters its box, in one number that sorts by the latter: the bits of t >= 0, then the reference.
-class Entry {
- public:
-  Entry() = default;
-  HWY_INLINE Entry(float t, Bvh8Reference reference)
-      : bits_(static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(t)) << 32 | reference) {}
-  HWY_INLINE float t() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
-  HWY_INLINE Bvh8Reference reference() const { return static_cast<Bvh8Reference>(bits_); }
-  friend HWY_INLINE bool operator<(Entry p, Entry q) { return p.bits_ < q.bits_; }
-  /// The farther one first. Nobody can guess which that is, so it is not a branch.
-  static HWY_INLINE void sort(Entry& p, Entry& q) {
-    const std::uint64_t swapped = (p.bits_ ^ q.bits_) & (0 - static_cast<std::uint64_t>(p.bits_ < q.bits_));
-    p.bits_ ^= swapped;
-    q.bits_ ^= swapped;
-  }
-
- private:
-  std::uint64_t bits_;
-};
-
 /// Offers each triangle that the filter does not reject to a ClosestTriangle, which is made when the first comes up.
-class Walk {
+template <bool kAny>
+class FilteredLeaves {
  public:
-  HWY_INLINE Walk(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter)
-      : searched_(searched), tree_(searched.tree), base_(reinterpret_cast<const char*>(tree_.lines.data())), ray_(ray), filter_(filter), node_test_(filter) {}
+  HWY_INLINE FilteredLeaves(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter)
+      : searched_(searched), ray_(ray), filter_(filter) {}
 
-  /// Ends at the first hit with kAny, and tells whether there was one.
-  template <bool kAny>
-  HWY_INLINE bool run(TraceCounters& counters) {
-    float t_max = filter_.t_max;
-    Entry* top = stack_;
-    std::uint32_t reference = 0;
-    for (;;) {
-      if ((reference & 1) == 0) {
-        ++counters.node_visits;
-        const Bvh8Node& node = *std::launder(reinterpret_cast<const Bvh8Node*>(at(reference)));
-        alignas(32) std::array<float, 8> entered;
-        const std::uint32_t hits = node_test_(node, entered.data());
-        if (hits != 0) {
-          reference = take<kAny>(node, hits, entered, top);
-          continue;
-        }
+  HWY_INLINE bool visit(const Bvh8Leaf& leaf, float& t_max) {
+    std::uint32_t candidates = test(leaf, t_max);
+    if (candidates == 0) return false;
+    if (!closest_) closest_.emplace(ray_, searched_.mesh, searched_.largest_coordinate);
+    do {
+      const auto slot = static_cast<std::uint32_t>(std::countr_zero(candidates));
+      candidates &= candidates - 1;
+      const std::uint32_t& triangle = searched_.tree.triangles.data()[leaf.first + slot];
+      const TriangleVertices corners = searched_.tree.exact_vertices ? corners_of(leaf, slot) : corners_of(triangle);
+      if constexpr (kAny) {
+        if (closest_->meets(corners)) return true;
       } else {
-        const Bvh8Leaf& leaf = *std::launder(reinterpret_cast<const Bvh8Leaf*>(at(reference) - kHalfLine));
-        counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
-        std::uint32_t candidates = test_leaf(leaf, t_max);
-        if (candidates != 0) {
-          if (!closest_) closest_.emplace(ray_, searched_.mesh, searched_.largest_coordinate);
-          do {
-            const auto slot = static_cast<std::uint32_t>(std::countr_zero(candidates));
-            candidates &= candidates - 1;
-            const std::uint32_t& triangle = tree_.triangles.data()[leaf.first + slot];
-            const TriangleVertices corners = tree_.exact_vertices ? corners_of(leaf, slot) : corners_of(triangle);
-            if constexpr (kAny) {
-              if (closest_->meets(corners)) return true;
-            } else {
-              closest_->offer(triangle, corners);
-            }
-          } while (candidates != 0);
-          if constexpr (!kAny) {
-            t_max = filter_.frame_t_max(closest_->t_max());
-            node_test_.set_t_max(t_max);
-          }
-        }
+        closest_->offer(triangle, corners);
       }
-      do {
-        if (top == stack_) return false;
-        --top;
-      } while (!(top->t() <= t_max));
-      reference = top->reference();
-    }
+    } while (candidates != 0);
+    if constexpr (!kAny) t_max = filter_.frame_t_max(closest_->t_max());
+    return false;
   }
 
   HWY_INLINE std::optional<SurfaceHit> result() const { return closest_ ? closest_->result() : std::nullopt; }
 
  private:
-  /// Returns the nearest of the hit children and puts the others on the stack, nearer ones higher; with kAny in no order. Two and three
-  /// are sorted without a branch, as their order cannot be guessed. The way from the mask to the next node is kept short: all else waits for it.
-  template <bool kAny>
-  HWY_INLINE std::uint32_t take(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered, Entry*& top) const {
-    const auto next = [&] {
-      const auto slot = static_cast<std::uint32_t>(std::countr_zero(hits));
-      hits &= hits - 1;
-      return slot;
-    };
-    const auto next_entry = [&] {
-      const std::uint32_t slot = next();
-      return Entry(entered[slot], node.child[slot]);
-    };
-    if ((hits & (hits - 1)) == 0) return node.child[next()];
-    Entry a = next_entry(), b = next_entry();
-    Entry::sort(a, b);
-    prefetch(a);
-    if (hits == 0) {
-      *top++ = a;
-      return b.reference();
-    }
-    Entry c = next_entry();
-    Entry::sort(b, c);
-    Entry::sort(a, b);
-    prefetch(b);
-    Entry* const bottom = top;
-    top[0] = a;
-    top[1] = b;
-    top += 2;
-    while (hits != 0) {
-      Entry other = next_entry();
-      Entry::sort(other, c);
-      prefetch(other);
-      Entry* place = top++;
-      for (; place > bottom && place[-1] < other; --place) place[0] = place[-1];
-      *place = other;
-    }
-    return c.reference();
-  }
-
-  /// Half a line per reference: of a leaf half a line too far, which is subtracted where it matters.
-  HWY_INLINE const char* at(std::uint32_t reference) const { return base_ + kHalfLine * static_cast<std::size_t>(reference); }
-  static constexpr std::size_t kHalfLine = sizeof(CacheLine) / 2;
-
-  HWY_INLINE void prefetch(Entry entry) const {
-    __builtin_prefetch(at(entry.reference()));
-    __builtin_prefetch(at(entry.reference()) + sizeof(CacheLine));
-  }
-
-  /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges, or which it surely
-  /// meets before t_min or beyond t_max.
-  HWY_INLINE std::uint32_t test_leaf(const Bvh8Leaf& leaf, float t_max) const {
+  /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges,
+  /// or which it surely meets before t_min or beyond t_max.
+  HWY_INLINE std::uint32_t test(const Bvh8Leaf& leaf, float t_max) const {
     const Float8 ax = load8(leaf.vertices[filter_.axis[0]].data()) - all8(filter_.origin[0]);
     const Float8 ay = load8(leaf.vertices[filter_.axis[1]].data()) - all8(filter_.origin[1]);
     const Float8 az = load8(leaf.vertices[filter_.axis[2]].data()) - all8(filter_.origin[2]);
@@ -165,10 +66,11 @@ class Walk {
     // Rejected: lowest < -error and highest > error.
     const std::uint32_t kept = at_most(negative(error), lowest) | at_most(highest, error);
     const std::uint32_t candidates = kept & leaf.present;
-    if (candidates == 0 || (filter_.t_min < 0x1p-100F && t_max == std::numeric_limits<float>::infinity())) return candidates;
+    if (candidates == 0 || (filter_.t_min < 0x1p-100F && t_max == std::numeric_limits<float>::infinity()))
+      return candidates;
 
-    // t is that of the first corner's plane and, over det, `rise`: how much that of the two others differs, by weight. Signs are turned so
-    // that det > 0.
+    // t is that of the first corner's plane and, over det, `rise`: how much that of the two others differs, by weight.
+    // Signs are turned so that det > 0.
     const Float8 za = taken(az, a);
     const Float8 zb = taken(az, b) - za, zc = taken(az, c) - za;
     const Float8 det = (u + v) + w;
@@ -176,7 +78,8 @@ class Walk {
     const Float8 t_a = za * all8(filter_.reciprocal_z);
     const Float8 rise = negated_like((v * zb + w * zc) * all8(filter_.reciprocal_z), det);
     const Float8 area_error = error * all8(kAreaError) + area * all8(0x1p-21F);
-    const Float8 rise_error = (error * (size_of(zb) + size_of(zc))) * all8(filter_.reciprocal_size_z) + (area + error * all8(kWeightsError)) * all8(filter_.depth_error);
+    const Float8 rise_error = (error * (size_of(zb) + size_of(zc))) * all8(filter_.reciprocal_size_z) +
+                              (area + error * all8(kWeightsError)) * all8(filter_.depth_error);
     const Float8 start = all8(filter_.t_min) - t_a, end = all8(t_max) - t_a;
     const std::uint32_t not_before = at_most(start * area - size_of(start) * area_error, rise + rise_error);
     const std::uint32_t not_beyond = at_most(rise - rise_error, end * area + size_of(end) * area_error);
@@ -201,24 +104,21 @@ class Walk {
   }
 
   const SearchedMesh& searched_;
-  const Bvh8Tree& tree_;
-  const char* base_;
   const PlacedRay& ray_;
   const FilterRay& filter_;
-  NodeTest node_test_;
   std::optional<ClosestTriangle> closest_;
-  /// At most seven entries a level, and one that is not put aside.
-  Entry stack_[7 * kBvh8Deepest + 1];
 };
 
-std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter, TraceCounters& counters) {
-  Walk walk(searched, ray, filter);
-  walk.run<false>(counters);
-  return walk.result();
+std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter,
+                                  TraceCounters& counters) {
+  FilteredLeaves<false> leaves(searched, ray, filter);
+  Walk(searched.tree, filter).run<false>(leaves, counters);
+  return leaves.result();
 }
 
 bool any(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter, TraceCounters& counters) {
-  return Walk(searched, ray, filter).run<true>(counters);
+  FilteredLeaves<true> leaves(searched, ray, filter);
+  return Walk(searched.tree, filter).run<true>(leaves, counters);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -233,7 +133,8 @@ HWY_EXPORT(any);
 
 namespace {
 
-[[gnu::always_inline]] inline FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
+[[gnu::always_inline]] inline FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray,
+                                                      FilterRay& filter) {
   const FilterRay::Fate fate =
       make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
   if (fate != FilterRay::Fate::walk) return fate;
@@ -247,7 +148,8 @@ ClosestTriangle search(const SearchedMesh& searched, const PlacedRay& ray) {
 }
 
 // Not part of their callers, which every ray goes through: they would take more registers.
-[[gnu::noinline]] std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
+[[gnu::noinline]] std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray,
+                                                           TraceCounters& counters) {
   ClosestTriangle closest = search(searched, ray);
   const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) closest.offer(triangle);

@@ -17,8 +17,8 @@ struct SearchedMesh {
   double largest_coordinate;
 };
 
-/// As Bvh8::closest and any. Compiled for several instruction sets, of which the best is taken; all visit the same nodes and give the
-/// same hits.
+/// As Bvh8::closest and any. Compiled for several instruction sets, of which the best is taken; all visit the same
+/// nodes and give the same hits.
 std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters);
 bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters);
 

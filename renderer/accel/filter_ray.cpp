@@ -11,8 +11,8 @@ namespace {
 constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr double kLargestDouble = std::numeric_limits<double>::max();
 constexpr double kU = 0x1p-24;  // the largest relative rounding of a float
-/// Rays from farther away than 4 reaches are moved near first, to about one (from very far, what is more is part of the origin's error):
-/// no vertex is farther than this from an origin, on an axis, in reaches.
+/// Rays from farther away than 4 reaches are moved near first, to about one (from very far, what is more is part of the
+/// origin's error): no vertex is farther than this from an origin, on an axis, in reaches.
 constexpr double kFarthest = 5.001;
 
 /// The longest axis, by which of |x| > |y|, |x| > |z|, |y| > |z| hold, as bits from the lowest; and the two after it.
@@ -32,8 +32,8 @@ struct FrameRay {
   double t_min, t_max;
 };
 
-/// Moves the origin to where the ray comes near the mesh: the closer it is, the less its coordinates are rounded. Nothing is left where
-/// the ray passes by. `moved` is how far t was moved.
+/// Moves the origin to where the ray comes near the mesh: the closer it is, the less its coordinates are rounded.
+/// Nothing is left where the ray passes by. `moved` is how far t was moved.
 bool move_near(FrameRay& ray, const FilterFrame& frame, double& moved) {
   const double far = largest(ray.origin);
   const double along = largest(ray.direction);
@@ -74,8 +74,8 @@ BoxSide with_signs(BoxSide size, BoxSide of) {
 }
 float largest(BoxSide v) { return std::max(v[0], std::max(v[1], v[2])); }
 
-/// The bounds of the filters, in the frame: `offset` is how far the float origin and the float vertices may be off, `slant` how far the
-/// direction, in units of its largest coordinate.
+/// The bounds of the filters, in the frame: `offset` is how far the float origin and the float vertices may be off,
+/// `slant` how far the direction, in units of its largest coordinate.
 void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, double slant, float& margin,
                 float& distance_error) {
   // Of a vertex from the origin, on an axis.
@@ -102,8 +102,10 @@ struct FloatLine {
           BoxSide{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), 0}};
 }
 
-/// Everything but the range, of a ray that is near the mesh and of moderate length. `along` is the direction's largest coordinate.
-[[gnu::always_inline]] inline void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin, float distance_error) {
+/// Everything but the range, of a ray that is near the mesh and of moderate length. `along` is the direction's largest
+/// coordinate.
+[[gnu::always_inline]] inline void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin,
+                                             float distance_error) {
   const auto& [o, d] = line;
   const BoxSide sizes = size_of(d);
   const BoxSide wider = with_signs(all(margin), d);
@@ -111,8 +113,9 @@ struct FloatLine {
   filter.near_origin = o + wider;
   filter.far_origin = o - wider;
   filter.near_row = std::bit_cast<Bits>(d) >> 31 & 1;
-  const std::size_t longest = kLongest[static_cast<std::size_t>(sizes[0] > sizes[1]) | static_cast<std::size_t>(sizes[0] > sizes[2]) << 1 |
-                                       static_cast<std::size_t>(sizes[1] > sizes[2]) << 2];
+  const std::size_t longest =
+      kLongest[static_cast<std::size_t>(sizes[0] > sizes[1]) | static_cast<std::size_t>(sizes[0] > sizes[2]) << 1 |
+               static_cast<std::size_t>(sizes[1] > sizes[2]) << 2];
   const auto [kx, ky, kz, unused] = kAxes[longest];
   filter.axis = {kx, ky, kz};
   filter.origin = {o[kx], o[ky], o[kz]};
@@ -124,16 +127,18 @@ struct FloatLine {
   filter.depth_error = reciprocal_size * distance_error;
 }
 
-/// The same of a ray in doubles, with the errors of rounding it and those that it has already. False where these are so large that the
-/// bounds' derivation does not hold.
+/// The same of a ray in doubles, with the errors of rounding it and those that it has already. False where these are so
+/// large that the bounds' derivation does not hold.
 [[gnu::noinline]] bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
   const FloatLine line = in_floats(ray.origin, ray.direction);
   const auto off = [](const auto& exact, BoxSide rounded) {
     return std::max(std::fabs(exact.x - static_cast<double>(rounded[0])),
-                    std::max(std::fabs(exact.y - static_cast<double>(rounded[1])), std::fabs(exact.z - static_cast<double>(rounded[2]))));
+                    std::max(std::fabs(exact.y - static_cast<double>(rounded[1])),
+                             std::fabs(exact.z - static_cast<double>(rounded[2]))));
   };
   const float along = largest(size_of(line.direction));
-  const double offset = ray.error.origin + off(ray.origin, line.origin), slant = ray.error.direction + off(ray.direction, line.direction);
+  const double offset = ray.error.origin + off(ray.origin, line.origin),
+               slant = ray.error.direction + off(ray.direction, line.direction);
   if (!(offset <= frame.reach && slant <= 0x1p-12 * static_cast<double>(along))) return false;
   float margin = 0, distance_error = 0;
   set_errors(filter, frame, offset, slant / static_cast<double>(along), margin, distance_error);
@@ -141,24 +146,27 @@ struct FloatLine {
   return true;
 }
 
-[[gnu::noinline]] bool set_rounded_lines(FilterRay& filter, const Point3& origin, const Vec3& direction, const RayError& error,
-                                         const FilterFrame& frame) {
+[[gnu::noinline]] bool set_rounded_lines(FilterRay& filter, const Point3& origin, const Vec3& direction,
+                                         const RayError& error, const FilterFrame& frame) {
   FrameRay ray{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
   if (frame.center != Point3{}) ray.error.origin += 0x1p-53 * largest(origin);
   return set_lines(filter, ray, frame);
 }
 
 /// A ray of any size, or from far away.
-[[gnu::noinline]] FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
+[[gnu::noinline]] FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame,
+                                                 FilterRay& filter) {
   const double length = largest(ray.direction), distance = largest(ray.origin);
   const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
   if (!(ray.t_min <= ray.t_max)) return FilterRay::Fate::misses;
-  // NaN fails every comparison, or makes the sum one. A ray that was taken to another frame may have lost its direction on the way.
+  // NaN fails every comparison, or makes the sum one. A ray that was taken to another frame may have lost its direction
+  // on the way.
   if (std::isnan(sum) || !(length > 0 && length <= kLargestDouble && distance <= kLargestDouble))
     return error.origin == 0 && error.direction == 0 ? FilterRay::Fate::misses : FilterRay::Fate::unfiltered;
   if (!(length >= 0x1p-400 && length <= 0x1p400)) return FilterRay::Fate::unfiltered;
   const double shorten = std::scalbn(1.0, -std::ilogb(length));
-  FrameRay moved{frame(ray.origin), shorten * ray.direction, {error.origin * frame.factor, error.direction * shorten}, 0, 0};
+  FrameRay moved{
+      frame(ray.origin), shorten * ray.direction, {error.origin * frame.factor, error.direction * shorten}, 0, 0};
   if (!(largest(moved.origin) <= 0x1p60)) return FilterRay::Fate::unfiltered;
   if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(moved.origin);
   filter.t_factor = frame.factor / shorten;
@@ -187,7 +195,8 @@ void set_filter_errors(FilterFrame& frame) {
 }
 
 FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
-  // By reference: a copy would load pairs of numbers that were stored one by one just before, which processors are slow at.
+  // By reference: a copy would load pairs of numbers that were stored one by one just before, which processors are slow
+  // at.
   Point3 in_frame;
   const Point3& origin = frame.is_identity ? ray.origin : (in_frame = frame(ray.origin));
   if (!frame.is_usable) return FilterRay::Fate::unfiltered;
@@ -196,22 +205,24 @@ FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const Fil
   const float along = largest(size_of(line.direction));
   const BoxSide sum = line.origin + line.direction;  // NaN or infinite where one of them is
   // What is false of NaN comes first.
-  if (!(along > 0x1p-30F && along < 0x1p30F && largest(size_of(line.origin)) <= frame.near && std::fabs(sum[0] + sum[1] + sum[2]) < kLargest &&
-        ray.t_min >= 0 && ray.t_min <= ray.t_max))
+  if (!(along > 0x1p-30F && along < 0x1p30F && largest(size_of(line.origin)) <= frame.near &&
+        std::fabs(sum[0] + sum[1] + sum[2]) < kLargest && ray.t_min >= 0 && ray.t_min <= ray.t_max))
     return make_from_afar(ray, error, frame, filter);
   filter.t_factor = frame.factor;
   filter.t_start = 0;
   filter.t_min = wide_start(ray.t_min * frame.factor);
   filter.t_max = wide_end(ray.t_max * frame.factor);
   const std::uint64_t digits = digits_past_float(origin.x) | digits_past_float(origin.y) | digits_past_float(origin.z) |
-                               digits_past_float(direction.x) | digits_past_float(direction.y) | digits_past_float(direction.z);
+                               digits_past_float(direction.x) | digits_past_float(direction.y) |
+                               digits_past_float(direction.z);
   if (digits == 0 && error.origin + error.direction == 0 && frame.is_identity) {
     filter.weight_error = frame.weight_error;
     filter.weight_error_constant = frame.weight_error_constant;
     set_lines(filter, line, along, frame.margin, frame.distance_error);
     return FilterRay::Fate::walk;
   }
-  return set_rounded_lines(filter, origin, direction, error, frame) ? FilterRay::Fate::walk : FilterRay::Fate::unfiltered;
+  return set_rounded_lines(filter, origin, direction, error, frame) ? FilterRay::Fate::walk
+                                                                    : FilterRay::Fate::unfiltered;
 }
 
 }  // namespace plumb

@@ -11,9 +11,9 @@
 
 namespace plumb {
 
-/// The ends of a range, t >= 0, by at most three floats too wide; without a branch that the processor would have to guess.
-/// The start is above 0, so that what lies behind it is not -0, and the end of a range that reaches 0 above that start; the boxes' margin
-/// has room for the one, and the other only widens.
+/// The ends of a range, t >= 0, by at most three floats too wide; without a branch that the processor would have to
+/// guess. The start is above 0, so that what lies behind it is not -0, and the end of a range that reaches 0 above that
+/// start; the boxes' margin has room for the one, and the other only widens.
 inline float wide_start(double t) { return std::max(static_cast<float>(t) * (1 - 0x1p-23F), 0x1p-120F); }
 inline float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-119F; }
 
@@ -22,10 +22,11 @@ struct RayError {
   double origin = 0, direction = 0;
 };
 
-/// A ray in floats and in a tree's frame, with what the filters must allow for: docs/certified-kernel.md derives the bounds.
+/// A ray in floats and in a tree's frame, with what the filters must allow for: docs/certified-kernel.md derives the
+/// bounds.
 struct FilterRay {
-  /// The lanes are x, y, z and nothing. A plane at p is met at (p - near_origin) * reciprocal at the earliest, where it is the
-  /// near one, and at (p - far_origin) * reciprocal at the latest, where it is the far one, all errors included.
+  /// The lanes are x, y, z and nothing. A plane at p is met at (p - near_origin) * reciprocal at the earliest, where it
+  /// is the near one, and at (p - far_origin) * reciprocal at the latest, where it is the far one, all errors included.
   BoxSide near_origin, far_origin, reciprocal;
   /// The direction's longest axis, and the two others.
   std::array<std::uint8_t, 3> axis;  // kx, ky, kz
@@ -36,7 +37,8 @@ struct FilterRay {
   float shear_x, shear_y;
   /// A weight is off by less than weight_error * (sum of the six |sheared coordinates|) + weight_error_constant.
   float weight_error, weight_error_constant;
-  /// The reciprocal of the direction's longest coordinate, and how far off the t of a vertex' plane across that axis may be.
+  /// The reciprocal of the direction's longest coordinate, and how far off the t of a vertex' plane across that axis
+  /// may be.
   float reciprocal_z, reciprocal_size_z, depth_error;
   /// The range in the frame, rounded outward; t_min > 0.
   float t_min, t_max;
@@ -50,15 +52,16 @@ struct FilterRay {
     return wide_end((t - t_start) * t_factor + 0x1p-50 * (std::fabs(t) + std::fabs(t_start)) * t_factor);
   }
 
-  /// `unfiltered`: the ray, or the way to it, has too few digits or too large numbers for bounds in floats to mean anything.
+  /// `unfiltered`: the ray, or the way to it, has too few digits or too large numbers for bounds in floats to mean
+  /// anything.
   enum class Fate { walk, misses, unfiltered };
 };
 
 /// Fills in the bounds of a frame whose reach and vertex_error are known.
 void set_filter_errors(FilterFrame& frame);
 
-/// Fills `filter` for a ray in the mesh's coordinates; `misses` where the range is empty, the ray does not come near the mesh, or a number is
-/// not finite. Of `unfiltered` nothing is filled in: every triangle has to be looked at.
+/// Fills `filter` for a ray in the mesh's coordinates; `misses` where the range is empty, the ray does not come near
+/// the mesh, or a number is not finite. Of `unfiltered` nothing is filled in: every triangle has to be looked at.
 FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter);
 
 }  // namespace plumb

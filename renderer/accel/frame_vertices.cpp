@@ -34,12 +34,14 @@ FilterFrame frame_of(const TriangleMesh& mesh) {
     reach = reach_from(frame.center);
   }
   frame.is_usable = reach == 0 || (reach >= 0x1p-400 && reach <= 0x1p400);
-  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0 && frame.is_usable) frame.factor = std::scalbn(1.0, -std::ilogb(reach));
+  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0 && frame.is_usable)
+    frame.factor = std::scalbn(1.0, -std::ilogb(reach));
   frame.reach = std::max(reach * frame.factor, 0x1p-30) * (1 + 0x1p-20);
   return frame;
 }
 
-FrameVertices::FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, int threads) : vertices_(mesh.positions.size()) {
+FrameVertices::FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, int threads)
+    : vertices_(mesh.positions.size()) {
   std::atomic<double> error = 0;
   in_parts(mesh.positions.size(), threads, [&](std::size_t begin, std::size_t end) {
     double largest = 0;

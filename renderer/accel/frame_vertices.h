@@ -9,8 +9,8 @@
 
 namespace plumb {
 
-/// The frame in which the vertices of a mesh are floats of moderate size, but for its vertex_error and the filters' bounds. Vertices that are not
-/// finite count for nothing.
+/// The frame in which the vertices of a mesh are floats of moderate size, but for its vertex_error and the filters'
+/// bounds. Vertices that are not finite count for nothing.
 FilterFrame frame_of(const TriangleMesh& mesh);
 
 /// The vertices in a frame, in floats. Tells the frame how far rounding moved one on an axis at most.

@@ -11,7 +11,8 @@ template <class F>
 void in_parts(std::size_t count, int threads, const F& f) {
   const std::size_t parts = count < 10000 ? 1 : static_cast<std::size_t>(threads);
   std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < parts; ++i) others.emplace_back([&, i] { f(count * i / parts, count * (i + 1) / parts); });
+  for (std::size_t i = 1; i < parts; ++i)
+    others.emplace_back([&, i] { f(count * i / parts, count * (i + 1) / parts); });
   f(0, count / parts);
 }
 

@@ -1,5 +1,5 @@
-// Eight floats at once, for whatever target Highway compiles this for; included once a target. Sums and products are single
-// operations, so every target gives the same bits.
+// Eight floats at once, for whatever target Highway compiles this for; included once a target. Sums and products are
+// single operations, so every target gives the same bits.
 #if defined(PLUMB_RENDERER_ACCEL_LANES8_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_RENDERER_ACCEL_LANES8_INL_H
 #undef PLUMB_RENDERER_ACCEL_LANES8_INL_H

@@ -18,8 +18,7 @@ std::size_t whole_pages(std::size_t bytes) {
 MappedMemory::MappedMemory(std::size_t bytes) {
   bytes = whole_pages(bytes);
   if (bytes == 0) return;
-  void* memory =
-      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) throw std::bad_alloc();
   memory_ = {memory, Unmap{bytes}};
 #ifdef MADV_HUGEPAGE

@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// Anonymous memory that takes space only where it was written: `bytes` of it, zero, at the start of a page, in huge pages
-/// where the system has them. Throws std::bad_alloc.
+/// Anonymous memory that takes space only where it was written: `bytes` of it, zero, at the start of a page, in huge
+/// pages where the system has them. Throws std::bad_alloc.
 class MappedMemory {
  public:
   MappedMemory() = default;

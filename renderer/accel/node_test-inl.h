@@ -38,8 +38,11 @@ class NodeTest {
   class Axis {
    public:
     HWY_INLINE Axis(const FilterRay& ray, int axis)
-        : reciprocal_(all8(ray.reciprocal[axis])), near_origin_(all8(ray.near_origin[axis] * ray.reciprocal[axis])),
-          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])), near_(8 * static_cast<std::size_t>(ray.near_row[axis])), far_(8 - near_) {}
+        : reciprocal_(all8(ray.reciprocal[axis])),
+          near_origin_(all8(ray.near_origin[axis] * ray.reciprocal[axis])),
+          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])),
+          near_(8 * static_cast<std::size_t>(ray.near_row[axis])),
+          far_(8 - near_) {}
     HWY_INLINE Sides sides(const Bvh8Node& node, std::size_t axis) const {
       const float* const rows = node.sides[axis][0].data();
       return {load8(rows + near_) * reciprocal_ - near_origin_, load8(rows + far_) * reciprocal_ - far_origin_};

@@ -17,8 +17,9 @@ struct TriangleGroups {
   std::span<const std::uint32_t> listed() const { return {triangles.data(), triangles.size()}; }
 };
 
-/// Each triangle is a group, but for those of parts of the mesh that have no more vertices than a leaf: a part is cut into as few
-/// groups as fit leaves, since its triangles have about the same box where it is long and thin. Triangles with a vertex that is not finite are left out.
+/// Each triangle is a group, but for those of parts of the mesh that have no more vertices than a leaf: a part is cut
+/// into as few groups as fit leaves, since its triangles have about the same box where it is long and thin. Triangles
+/// with a vertex that is not finite are left out.
 TriangleGroups group_triangles(const TriangleMesh& mesh, const FrameVertices& vertices, int threads);
 
 }  // namespace plumb

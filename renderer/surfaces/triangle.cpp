@@ -45,7 +45,6 @@ std::array<long double, 3> wide_weights(const Ray& ray, const Point3& a, const P
 /// Of a t that is rounded once.
 double rounding_error(double t) { return 0x1p-51 * std::fabs(t) + 0x1p-1070; }
 
-
 /// Without rounding, in world space, up to the numbers at the end.
 bool exactly_meet(const ShearedRay& sheared, const Point3& a, const Point3& b, const Point3& c,
                   TriangleMeeting& meeting) {
@@ -91,7 +90,8 @@ bool meet_in_its_own_units(const ShearedRay& sheared, double distance, const Poi
   return std::isfinite(meeting.t);
 }
 
-/// The plane of a triangle that is surely met, in 64 bits, where doubles have too few: the ray grazes it or starts in it.
+/// The plane of a triangle that is surely met, in 64 bits, where doubles have too few: the ray grazes it or starts in
+/// it.
 bool meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weights, const Point3& a, const Point3& b,
                   const Point3& c, TriangleMeeting& meeting) {
   if (sheared.world_from_object) return exactly_meet(sheared, a, b, c, meeting);
@@ -113,8 +113,12 @@ bool meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weight
   const long double t = distance / facing;
   const long double t_error = (distance_error + std::fabs(t) * facing_error) / std::fabs(facing);
   const auto rounded = static_cast<double>(t);
-  meeting = {rounded, static_cast<double>(t_error) * (1 + 0x1p-30) + rounding_error(rounded), weights[1], weights[2],
-             weights[0] + weights[1] + weights[2], false};
+  meeting = {rounded,
+             static_cast<double>(t_error) * (1 + 0x1p-30) + rounding_error(rounded),
+             weights[1],
+             weights[2],
+             weights[0] + weights[1] + weights[2],
+             false};
   return std::isfinite(rounded);
 }
 
@@ -141,7 +145,8 @@ bool meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Poin
     // The errors of a placed ray are those of doubles at least.
     if (is_placed) return exactly_meet(sheared, a, b, c, meeting);
     // Six terms of at most |d| m |edge|, each with six roundings on its way: 36 2^-64 of that.
-    const double edge = std::max(largest_coordinate(b - a), std::max(largest_coordinate(c - b), largest_coordinate(a - c)));
+    const double edge =
+        std::max(largest_coordinate(b - a), std::max(largest_coordinate(c - b), largest_coordinate(a - c)));
     const auto wide = wide_weights(ray, a, b, c);
     side = side_of(wide, 0x1p-58L * std::fabs(coordinate(ray.direction, sheared.kz)) * m * edge);
     for (std::size_t i = 0; i < 3; ++i) weights[i] = static_cast<double>(wide[i]);

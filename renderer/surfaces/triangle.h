@@ -133,9 +133,7 @@ struct ShearedTriangle {
   }
 
   /// Whether weights of different signs are both beyond `error`.
-  bool is_missed(double error) const {
-    return (lowest() < -error) & (highest() > error);
-  }
+  bool is_missed(double error) const { return (lowest() < -error) & (highest() > error); }
 
   /// Whether all weights lie on one side of zero by more than `error`.
   bool is_sure_to_meet(double error) const { return (lowest() > error) | (highest() < -error); }
@@ -172,12 +170,13 @@ inline double weight_error(const ShearedRay& ray, double m, double reach) {
   return each * (reach + 2 * each);
 }
 
-/// How much of the edges' and the direction's sizes must be left in their product for a t that is reported, and for one that
-/// only has to be told apart from others by its error.
+/// How much of the edges' and the direction's sizes must be left in their product for a t that is reported, and for one
+/// that only has to be told apart from others by its error.
 constexpr double kSteep = 0x1p-6, kSteepEnough = 0x1p-24;
 
-/// Where the ray's line meets the plane of a triangle, which it is known to meet with these weights; false where that takes
-/// more digits: the ray grazes the plane, or starts in it, or the triangle is a needle. All numbers but t are finite.
+/// Where the ray's line meets the plane of a triangle, which it is known to meet with these weights; false where that
+/// takes more digits: the ray grazes the plane, or starts in it, or the triangle is a needle. All numbers but t are
+/// finite.
 inline bool meet_plane(const ShearedRay& sheared, const std::array<double, 3>& weights, const Point3& a,
                        const Point3& b, const Point3& c, double least_slope, TriangleMeeting& meeting) {
   const Ray& ray = sheared.ray;

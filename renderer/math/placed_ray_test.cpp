@@ -16,9 +16,9 @@ TEST(PlacedRay, HasNoErrorsWithoutATransform) {
   const Ray ray{{1, 2, 3}, {4, 5, 6}, 1, 2};
   const Transform identity;
   for (const PlacedRay& placed : {PlacedRay(ray), PlacedRay(ray, identity)}) {
-    EXPECT_EQ(placed.object.origin, ray.origin);
-    EXPECT_EQ(placed.object.direction, ray.direction);
-    EXPECT_EQ(placed.object.t_max, 2);
+    EXPECT_EQ(placed.object().origin, ray.origin);
+    EXPECT_EQ(placed.object().direction, ray.direction);
+    EXPECT_EQ(placed.object().t_max, 2);
     EXPECT_EQ(placed.origin_error, 0);
     EXPECT_EQ(placed.direction_error, 0);
     EXPECT_EQ(placed.drift(1e30), 0);
@@ -71,9 +71,9 @@ TEST(PlacedRay, ErrorsAreWithinTheirBounds) {
     for (int k = 0; k < 10; ++k, ++rays) {
       const Ray ray = random.ray();
       const PlacedRay placed(ray, transform);
-      const double of_origin = largest_error(transform, placed.object.origin, ray.origin, 1) / placed.origin_error;
+      const double of_origin = largest_error(transform, placed.object().origin, ray.origin, 1) / placed.origin_error;
       const double of_direction =
-          largest_error(transform, placed.object.direction, ray.direction, 0) / placed.direction_error;
+          largest_error(transform, placed.object().direction, ray.direction, 0) / placed.direction_error;
       ASSERT_LE(of_origin, 1) << i;
       ASSERT_LE(of_direction, 1) << i;
       largest_of_origin = std::max(largest_of_origin, of_origin);
@@ -93,10 +93,10 @@ TEST(PlacedRay, DriftHoldsTheRayNearTheExactOne) {
     const Transform transform = random.transform();
     const Ray ray = random.ray();
     const PlacedRay placed(ray, transform);
-    const double of_origin = largest_error(transform, placed.object.origin, ray.origin, 1);
-    const double of_direction = largest_error(transform, placed.object.direction, ray.direction, 0);
+    const double of_origin = largest_error(transform, placed.object().origin, ray.origin, 1);
+    const double of_direction = largest_error(transform, placed.object().direction, ray.direction, 0);
     for (const double t : {-2.0, 0.5, 1e3}) {
-      const Point3 at = placed.object.at(t);
+      const Point3 at = placed.object().at(t);
       const double reach = std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)});
       ASSERT_LE(of_origin + std::fabs(t) * of_direction, placed.drift(reach)) << i;
       ++points;

@@ -219,5 +219,29 @@ TEST(FilterRay, LosesNoTriangleToTheHardestRays) {
   EXPECT_EQ(sum.different, 0);
 }
 
+// A small mesh and a long direction: depths times weights must not fall below the smallest float.
+TEST(FilterRay, LosesNoSmallTriangleAtTheEndOfALongRaysRange) {
+  SearchRandom u(73);
+  SearchTally sum;
+  int cut = 0;
+  for (const double size : {0x1.2p-30, 0x1.4p-30, 0x1.8p-30}) {
+    for (int k = 0; k < 100; ++k) {
+      const TriangleMesh mesh = in_single_precision(moved(triangle_soup(u, 20, std::ldexp(1.0, -7 - k % 2)), size, {}));
+      SearchComparison compare(mesh);
+      for (int i = 0; i < 200; ++i) {
+        const auto& [a, b, c] = mesh.triangles[u.below(20)];
+        const Point3 target = mesh.positions[a] + (0.25 * (mesh.positions[b] - mesh.positions[a]) +
+                                                   0.5 * (mesh.positions[c] - mesh.positions[a]));
+        const Vec3 way = u.vector(size);
+        compare_with_cuts(compare, {target + -1.0 * way, 0x1.fp29 / largest_coordinate(way) * way}, Transform(), cut);
+      }
+      sum += compare.tally();
+    }
+  }
+  EXPECT_EQ(sum.rays - cut, 60000);
+  EXPECT_GT(cut, 300000);
+  EXPECT_EQ(sum.different, 0);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -118,24 +118,6 @@ TEST(Bvh8, FindsTheSameHitsWhereEverySplitPeelsOffATriangle) {
   EXPECT_EQ(meshes, 3);
 }
 
-/// A rotation, axis by axis, of numbers that are rounded: what is asked for is a condition, not orthogonality.
-AffineMatrix turned(SearchRandom& u, double condition, double offset) {
-  AffineMatrix matrix{};
-  const auto factor = [&](int i) { return u.sign() * std::pow(condition, (i - 1) / 2.0); };
-  const Vec3 scale{factor(0), factor(1), factor(2)};
-  const Vec3 x = normalized(u.vector()), y = normalized(cross(x, u.vector())), z = cross(x, y);
-  const Vec3 a = normalized(u.vector()), b = normalized(cross(a, u.vector())), c = cross(a, b);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int row = static_cast<int>(i);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int column = static_cast<int>(k);
-      matrix[i][k] = x[row] * scale.x * a[column] + y[row] * scale.y * b[column] + z[row] * scale.z * c[column];
-    }
-    matrix[i][3] = offset * u();
-  }
-  return matrix;
-}
-
 TEST(Bvh8, FindsTheSameHitsOfPlacedMeshes) {
   SearchRandom u(23);
   SearchTally sum;

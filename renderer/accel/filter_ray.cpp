@@ -11,8 +11,8 @@ namespace {
 constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr double kLargestDouble = std::numeric_limits<double>::max();
 constexpr double kU = 0x1p-24;  // the largest relative rounding of a float
-/// Rays from farther away than 4 reaches are moved near first, to about one (from very far, what is more is part of the
-/// origin's error): no vertex is farther than this from an origin, on an axis, in reaches.
+/// Rays from farther away than 4 reaches are moved near first, to about one, or are not filtered: no vertex is farther
+/// than this from an origin, on an axis, in reaches.
 constexpr double kFarthest = 5.001;
 
 /// The longest axis, by which of |x| > |y|, |x| > |z|, |y| > |z| hold, as bits from the lowest; and the two after it.
@@ -80,7 +80,8 @@ void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, doub
                 float& distance_error) {
   // Of a vertex from the origin, on an axis.
   const double reach = kFarthest * frame.reach;
-  const double moved = (offset + frame.vertex_error) * 1.0001;
+  // A thousandth more, for products of these errors with the direction's, which is 2^-12 at most.
+  const double moved = (offset + frame.vertex_error) * 1.001;
   const double sheared = 7.5 * kU * reach + 2.001 * moved + 2.1 * slant * reach;
   const double weight = (sheared + 4 * kU * reach) * (1 + 0x1p-19);
   filter.weight_error = static_cast<float>(weight);
@@ -175,6 +176,8 @@ struct FloatLine {
   double start = 0;
   if (!(moved.error.direction <= 0x1p-12 && moved.error.origin <= frame.reach)) return FilterRay::Fate::unfiltered;
   if (!move_near(moved, frame, start)) return FilterRay::Fate::misses;
+  // What is off by much is not moved near enough.
+  if (!(largest(moved.origin) <= 4 * frame.reach)) return FilterRay::Fate::unfiltered;
   filter.t_start = start / filter.t_factor;
   if (!set_lines(filter, moved, frame)) return FilterRay::Fate::unfiltered;
   const double rounding = 0x1p-50 * std::fabs(start);

@@ -10,6 +10,8 @@
 namespace plumb {
 namespace {
 
+constexpr double kLeastReach = 0x1p-20, kMostReach = 0x1p25;
+
 bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 }  // namespace
@@ -34,9 +36,11 @@ FilterFrame frame_of(const TriangleMesh& mesh) {
     reach = reach_from(frame.center);
   }
   frame.is_usable = reach == 0 || (reach >= 0x1p-400 && reach <= 0x1p400);
-  if (!(reach > 0x1p-30 && reach < 0x1p30) && reach > 0 && frame.is_usable)
+  // Within these no product of weights, depths and the reciprocal of a direction overflows or is rounded below the
+  // smallest float by more than the filters' slack.
+  if (!(reach > kLeastReach && reach < kMostReach) && reach > 0 && frame.is_usable)
     frame.factor = std::scalbn(1.0, -std::ilogb(reach));
-  frame.reach = std::max(reach * frame.factor, 0x1p-30) * (1 + 0x1p-20);
+  frame.reach = std::max(reach * frame.factor, kLeastReach) * (1 + 0x1p-20);
   return frame;
 }
 

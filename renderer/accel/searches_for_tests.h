@@ -79,6 +79,24 @@ inline TriangleMesh moved(TriangleMesh mesh, double factor, const Vec3& offset) 
   return mesh;
 }
 
+/// A rotation, axis by axis, of numbers that are rounded: what is asked for is a condition, not orthogonality.
+inline AffineMatrix turned(SearchRandom& u, double condition, double offset) {
+  AffineMatrix matrix{};
+  const auto factor = [&](int i) { return u.sign() * std::pow(condition, (i - 1) / 2.0); };
+  const Vec3 scale{factor(0), factor(1), factor(2)};
+  const Vec3 x = normalized(u.vector()), y = normalized(cross(x, u.vector())), z = cross(x, y);
+  const Vec3 a = normalized(u.vector()), b = normalized(cross(a, u.vector())), c = cross(a, b);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int row = static_cast<int>(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int column = static_cast<int>(k);
+      matrix[i][k] = x[row] * scale.x * a[column] + y[row] * scale.y * b[column] + z[row] * scale.z * c[column];
+    }
+    matrix[i][3] = offset * u();
+  }
+  return matrix;
+}
+
 /// From within `reach` of the centre, in turn at a vertex, the middle of an edge, a point of a triangle, and anywhere
 /// near.
 inline std::vector<Ray> aimed_rays(const TriangleMesh& mesh, SearchRandom& u, int count, const Point3& center,

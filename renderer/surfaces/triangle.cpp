@@ -106,7 +106,8 @@ bool meet_closely(const ShearedRay& sheared, const std::array<double, 3>& weight
   const long double size = static_cast<long double>(largest_coordinate(b - a)) * largest_coordinate(c - a);
   const long double facing_error = 0x1p-58L * size * std::fabs(coordinate(ray.direction, sheared.kz));
   const long double distance_error = 0x1p-58L * size * largest_coordinate(a - ray.origin);
-  const bool is_steep = std::fabs(facing) > 0x1p17L * facing_error;
+  // So that t is as close as in doubles where these suffice: within 2^-41 of the way.
+  const bool is_steep = std::fabs(facing) > 0x1p41L * facing_error;
   const bool starts_on_it = std::fabs(distance) < distance_error &&
                             !(std::fabs(distance) + distance_error < ray.t_min * (std::fabs(facing) - facing_error));
   if (!is_steep || starts_on_it) return exactly_meet(sheared, a, b, c, meeting);

@@ -137,13 +137,15 @@ class AimedRay {
     }
   }
   Vec3 way_to(const Point3& a, const Point3& b, const Point3& c) {
-    switch (u_.below(5)) {
+    switch (u_.below(6)) {
       case 0:
         return size_ * in_few_digits();
       case 1:  // in the plane or nearly so
         return u_() * (b - a) + u_() * (c - a) + power(-60, 0) * u_.vector(size_);
       case 2:
         return u_.vector(power(0, 45) * size_);
+      case 3:  // from about as far as is still near
+        return u_.vector(4 * size_);
       default:
         return u_.vector(power(-20, 3) * size_);
     }

@@ -74,6 +74,7 @@ bool read_until_rows(PngState& state, std::FILE* file) {
 bool read_rows(PngState& state, png_bytepp rows) {
   if (setjmp(png_jmpbuf(state.png)) != 0) return false;
   png_read_image(state.png, rows);
+  png_read_end(state.png, nullptr);  // a file that was cut off behind the last row is damaged, too
   return true;
 }
 

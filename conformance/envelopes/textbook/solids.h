@@ -85,13 +85,8 @@ std::optional<Roots<A>> side_roots(const Solid<A>& solid, const Ray<A>& ray, For
   const Vector<A> d = ray.direction;
   const Vector<A> f = ray.origin - solid.center;
   if (solid.shape == Shape::cylinder) return round_roots<A>({f.x, f.y, 0}, {d.x, d.y, 0}, solid.radius, formulas);
-  const Real fz = solid.slope() * (ray.origin.z - solid.tip_z), dz = solid.slope() * d.z;
-  const Real a = sum<A>(d.x * d.x, d.y * d.y, -dz * dz);
-  const Real b = sum<A>(f.x * d.x, f.y * d.y, -fz * dz);
-  const Real c = sum<A>(f.x * f.x, f.y * f.y, -fz * fz);
-  if (a != 0) return quadratic_roots<A>(a, b, c, formulas);
-  if (b == 0) return std::nullopt;
-  return Roots<A>{-c / (2 * b), -c / (2 * b)};
+  const Real slope = solid.slope();
+  return cone_roots<A>({f.x, f.y, slope * (ray.origin.z - solid.tip_z)}, {d.x, d.y, slope * d.z}, formulas);
 }
 
 /// The nearest of: the side where it lies between the caps, and the caps where they lie within the side.

@@ -89,12 +89,11 @@ class SceneBuilder {
     placed.is_mesh = surface.kind->name == "Mesh";
     placed.shape = placed.is_mesh ? mesh_of(surface) : solid_of(surface);
     placed.shader = frame.shader;
-    Matrix<A> world_from_object;
-    for (const Matrix<A>& step : frame.world_from_group) world_from_object = world_from_object * step;
+    for (const Matrix<A>& step : frame.world_from_group) placed.world_from_object = placed.world_from_object * step;
     if (options_.other_formulas) {
       for (const Matrix<A>& step : frame.world_from_group) placed.object_from_world.push_back(step.inverse());
     } else if (!frame.world_from_group.empty()) {
-      placed.object_from_world.push_back(world_from_object.inverse());
+      placed.object_from_world.push_back(placed.world_from_object.inverse());
     }
     for (const Matrix<A>& step : placed.object_from_world) {
       if (!step.is_finite())
@@ -102,7 +101,7 @@ class SceneBuilder {
                                           "expected factors of scale that are not zero nor extreme");
     }
     scene_.placements.push_back(std::move(placed));
-    add_primitives(world_from_object);
+    add_primitives();
   }
 
   void add_transform(const Property& property, std::vector<Matrix<A>>& steps) const {
@@ -178,8 +177,9 @@ class SceneBuilder {
     return bounds;
   }
 
-  void add_primitives(const Matrix<A>& world_from_object) {
+  void add_primitives() {
     const Placement<A>& placed = scene_.placements.back();
+    const Matrix<A>& world_from_object = placed.world_from_object;
     const auto number = static_cast<std::uint32_t>(scene_.placements.size() - 1);
     if (placed.is_mesh) {
       const Mesh<A>& mesh = scene_.meshes[placed.shape];

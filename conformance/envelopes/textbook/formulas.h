@@ -13,6 +13,7 @@ namespace plumb::textbook {
 /// | transforms | multiplied to one matrix | applied one after the other (scene.h) |
 /// | spheres, cylinders | half the chord about the nearest point | a t^2 + 2 b t + c = 0 by its discriminant |
 /// | cones | the discriminant by minors, roots that do not cancel | the same |
+/// | where a ray hits | put onto the surface | origin + t direction |
 /// | triangles | [Moller and Trumbore 1997] | the plane, then areas |
 /// | interpolated normals | weighted sum of three | the first and two differences |
 /// | camera rays | of unit length | to the view window |

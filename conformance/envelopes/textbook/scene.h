@@ -49,6 +49,7 @@ struct Placement {
   /// From the world to the object, in the order in which they are applied: one matrix, or one for each transform, or
   /// none at all outside of any group.
   std::vector<Matrix<A>> object_from_world;
+  Matrix<A> world_from_object;
 
   Ray<A> in_object(Ray<A> ray) const {
     for (const Matrix<A>& step : object_from_world)
@@ -108,6 +109,16 @@ struct Scene {
     return search(ray, [](const Hit<A>&) { return true; });
   }
 
+  /// Where a hit lies in the world. From the ray's t it would be off by the rounding of t, which in single precision
+  /// leaves speckles where light grazes; put onto the surface, only by that of its own coordinates [Pharr 2016, 3.9].
+  Vector<A> position(const Ray<A>& ray, const Hit<A>& hit) const {
+    if (formulas == Formulas::other) return ray.at(hit.t);
+    const Placement<A>& placed = placements[hit.placement];
+    const Vector<A> local = placed.is_mesh ? mesh_point(meshes[placed.shape], hit)
+                                           : snapped(solids[placed.shape], placed.in_object(ray).at(hit.t), hit.part);
+    return placed.object_from_world.empty() ? local : placed.world_from_object.move(local);
+  }
+
   /// In the world, of unit length.
   Vector<A> normal(const Ray<A>& ray, const Hit<A>& hit) const {
     const Placement<A>& placed = placements[hit.placement];
@@ -144,6 +155,12 @@ struct Scene {
     const auto at = meet_solid(solids[placed.shape], local, formulas);
     if (!at) return std::nullopt;
     return Hit<A>{at->t, primitive.placement, at->face, 0, 0};
+  }
+
+  Vector<A> mesh_point(const Mesh<A>& mesh, const Hit<A>& hit) const {
+    const auto [a, b, c] = mesh.triangles[hit.part];
+    const auto& p = mesh.positions;
+    return p[a] + hit.u * (p[b] - p[a]) + hit.v * (p[c] - p[a]);
   }
 
   Vector<A> mesh_normal(const Mesh<A>& mesh, const Hit<A>& hit) const {

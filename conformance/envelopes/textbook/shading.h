@@ -79,7 +79,7 @@ class Tracer {
       return {};
     }
     const Placement<A>& placed = scene_.placements[hit->placement];
-    const Point point{ray.at(hit->t), scene_.normal(ray, *hit), unit(-ray.direction)};
+    const Point point{scene_.position(ray, *hit), scene_.normal(ray, *hit), unit(-ray.direction)};
     const bool smooth = placed.is_mesh && !scene_.meshes[placed.shape].normals.empty();
     note_surface(hit->placement + 1, smooth ? 0 : hit->part, path.depth);
     const auto cosine = static_cast<float>(std::fabs(dot(point.normal, point.to_viewer)));

@@ -125,6 +125,28 @@ std::optional<Crossing<A>> meet_solid(const Solid<A>& solid, const Ray<A>& ray, 
   return std::nullopt;
 }
 
+/// The point of that face nearest to `p`, a point about there, but for inverted boxes, which keep `p`.
+template <class A>
+Vector<A> snapped(const Solid<A>& solid, Vector<A> p, std::uint32_t face) {
+  using Real = RealOf<A>;
+  if (solid.shape == Shape::inverted_box) return p;
+  if (solid.shape == Shape::box) {
+    p[face / 2] = face % 2 == 1 ? solid.max[face / 2] : solid.min[face / 2];
+    return p;
+  }
+  Vector<A> out = p - solid.center;
+  if (solid.shape != Shape::sphere) {
+    if (face == kBottom) return {p.x, p.y, solid.center.z - solid.half_height};
+    if (face == kTop) return {p.x, p.y, solid.center.z + solid.half_height};
+    out.z = 0;
+  }
+  const Real length = std::sqrt(dot(out, out));
+  if (length == 0) return p;
+  const Real radius = solid.shape == Shape::cone ? solid.slope() * std::fabs(p.z - solid.tip_z) : solid.radius;
+  const Vector<A> point = solid.center + radius / length * out;
+  return solid.shape == Shape::sphere ? point : Vector<A>{point.x, point.y, p.z};
+}
+
 /// Outward, in the solid's frame, of any length.
 template <class A>
 Vector<A> solid_normal(const Solid<A>& solid, const Ray<A>& ray, const Crossing<A>& at) {

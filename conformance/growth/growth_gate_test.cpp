@@ -118,5 +118,27 @@ TEST(GrowthGate, IsUndecidedRatherThanWrongWhereNothingCanBeTold) {
   EXPECT_GT(t.undecided, 12);
 }
 
+TEST(GrowthGate, NeverAsksForAPictureHigherThanFormatsHold) {
+  // Its warm-up is paid in the oblique view alone, so that the strip never seems to take anything.
+  SimulatedProgram program;
+  program.oblique_ray = logarithmic;
+  program.axis_aligned_ray = [](double) { return 1e-10; };
+  program.start = 1.4;
+  int largest = 0, strips = 0;
+  const GrowthAsk ask = asked(program, kSizes, 1);
+  const GrowthFigures figures = run_growth_gate({.sizes = kSizes, .seed = 1}, [&](const GrowthQuestion& q) {
+    largest = std::max({largest, q.width, q.height});
+    const bool is_strip = q.view == GrowthView::axis_aligned;
+    strips += is_strip;
+    GrowthAnswer answer = ask(q);
+    if (is_strip) answer.cpu_seconds -= 1;
+    return answer;
+  });
+  EXPECT_GE(strips, 5);
+  EXPECT_GT(figures.runs, 20);
+  EXPECT_GE(largest, 20'000) << "it was tried";
+  EXPECT_LE(largest, 32'768);
+}
+
 }  // namespace
 }  // namespace plumb

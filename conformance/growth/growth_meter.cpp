@@ -8,8 +8,6 @@
 namespace plumb {
 namespace {
 
-/// Odd, so that there is a middle column, whose rays have an exact 0 in their direction; narrow, so that it counts.
-constexpr int kStripWidth = 15;
 constexpr int kLeastSide = 8;
 
 }  // namespace

@@ -7,8 +7,9 @@ namespace plumb {
 namespace {
 
 constexpr double kFewestRays = 64;
-/// A picture of 2048 x 2048: far more than any program needs whose rays cost anything.
-constexpr double kMostRays = 4'194'304;
+/// A picture of 2048 x 2048, and a strip as high as most programs' pictures may be: far more than any program needs
+/// whose rays cost anything.
+constexpr double most_rays(GrowthView view) { return view == GrowthView::oblique ? 4'194'304 : kMostStripRays; }
 /// Of the time of a run that has no rays to speak of: what the highest resolution must add to be told from its noise.
 constexpr double kShareOfFixed = 0.5;
 constexpr int kMostRaises = 3;
@@ -37,12 +38,12 @@ std::optional<TimedRun> GrowthPilot::settle(std::size_t index, GrowthView view, 
                                             double demand) {
   std::optional<TimedRun> most;
   for (;;) {
-    rays = std::clamp(rays, kFewestRays, kMostRays);
+    rays = std::clamp(rays, kFewestRays, most_rays(view));
     const std::optional<TimedRun> run = meter_.run(index, view, rays, 0);
     if (!run) return most;
     most = run;
     const double gained = run->seconds - base_seconds;
-    if (gained >= demand || run->rays >= 0.9 * kMostRays) return most;
+    if (gained >= demand || run->rays >= 0.9 * most_rays(view)) return most;
     rays = run->rays * std::clamp(1.5 * demand / std::max(gained, demand / 8), 2.0, 8.0);
   }
 }
@@ -64,7 +65,7 @@ GrowthPilot::Result GrowthPilot::choose(std::size_t index, double size, double a
   std::optional<TimedRun> low = fewest;
   bool is_raised = false;
   auto middle = meter_.run(index, GrowthView::oblique, high->rays / 2, 0);
-  for (int raise = 0; middle && raise < kMostRaises && high->rays < kMostRays / 4; ++raise) {
+  for (int raise = 0; middle && raise < kMostRaises && high->rays < most_rays(GrowthView::oblique) / 4; ++raise) {
     if (collinear(*low, *middle, *high)) break;
     low = high;
     is_raised = true;

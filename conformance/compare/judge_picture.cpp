@@ -69,7 +69,7 @@ CheckResult judge_difference(const Picture& reference, const Picture& picture, c
 
 }  // namespace
 
-PictureJudgement judge_picture(const std::filesystem::path& file, const Picture& reference, double tolerance) {
+PictureJudgement open_picture(const std::filesystem::path& file, const Picture& reference) {
   PictureJudgement judgement;
   try {
     const PictureHeader header = read_picture_header(file);
@@ -104,8 +104,15 @@ PictureJudgement judge_picture(const std::filesystem::path& file, const Picture&
                                  {"y", static_cast<std::int64_t>(*pixel / width)}};
     return judgement;
   }
-  judgement.difference = difference(reference, picture, tolerance);
-  judgement.result = judge_difference(reference, picture, *judgement.difference, tolerance);
+  judgement.result.verdict = Verdict::pass;
+  return judgement;
+}
+
+PictureJudgement judge_picture(const std::filesystem::path& file, const Picture& reference, double tolerance) {
+  PictureJudgement judgement = open_picture(file, reference);
+  if (judgement.result.verdict != Verdict::pass) return judgement;
+  judgement.difference = difference(reference, *judgement.picture, tolerance);
+  judgement.result = judge_difference(reference, *judgement.picture, *judgement.difference, tolerance);
   return judgement;
 }
 

@@ -27,6 +27,10 @@ struct PictureJudgement {
 /// Throws InputError if the picture does not exist.
 PictureJudgement judge_picture(const std::filesystem::path& picture, const Picture& reference, double tolerance);
 
+/// The steps of judge_picture before the comparison: a picture that can be compared with the reference has no verdict
+/// against it yet (`pass`), any other none to be compared.
+PictureJudgement open_picture(const std::filesystem::path& picture, const Picture& reference);
+
 /// Reads a picture that is to be trusted as a reference. Throws InputError if it is missing, invalid or not finite.
 Picture read_reference(const std::filesystem::path& file);
 

@@ -6,15 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/image/image.h"
-
 namespace plumb {
 namespace {
-
-float level_of_sample(const Picture& picture, std::size_t i) {
-  return picture.is_linear() ? static_cast<float>(level_of(static_cast<double>(picture.samples[i])))
-                             : picture.samples[i];
-}
 
 /// `12 13 14`, or `12-15 13 14` where a channel has an interval.
 std::string expected_text(const Envelope& envelope, std::size_t pixel) {
@@ -28,8 +21,8 @@ std::string expected_text(const Envelope& envelope, std::size_t pixel) {
 }
 
 std::string found_text(const Picture& picture, std::size_t pixel) {
-  return fmt::format("{:g} {:g} {:g}", level_of_sample(picture, 3 * pixel), level_of_sample(picture, 3 * pixel + 1),
-                     level_of_sample(picture, 3 * pixel + 2));
+  const float* p = picture.samples.data() + 3 * pixel;
+  return fmt::format("{:g} {:g} {:g}", p[0], p[1], p[2]);
 }
 
 /// How many standard deviations the signs of the deviations are from as many above as below.
@@ -92,7 +85,7 @@ EnvelopeFindings compare_with_envelope(const Picture& picture, const Envelope& e
     const auto reason = static_cast<std::size_t>(envelope.reasons[p]);
     double outside = 0;
     for (std::size_t i = 3 * p; i < 3 * p + 3; ++i) {
-      const double v = static_cast<double>(level_of_sample(picture, i));
+      const double v = static_cast<double>(picture.samples[i]);
       outside = std::max({outside, envelope.low[i] - v, v - envelope.high[i]});
       if (reason == 0) f.above += v > envelope.nominal[i], f.below += v < envelope.nominal[i];
     }

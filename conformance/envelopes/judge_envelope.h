@@ -27,7 +27,7 @@ struct EnvelopeFindings {
   std::int64_t wrong_pixels() const;
 };
 
-/// `picture` has the envelope's size and finite samples; linear ones are turned into levels first.
+/// `picture` has the envelope's size and finite samples in levels.
 EnvelopeFindings compare_with_envelope(const Picture& picture, const Envelope& envelope, double tolerance);
 
 /// The verdict, with its evidence. `different`: a pixel is outside of its interval by more than the tolerance, unless

@@ -51,6 +51,9 @@ void check_request(const GradeRequest& request) {
                      "the submission lies inside the folder for the results, expected --out elsewhere");
   for (const SuiteCase& c : request.suite.cases) {
     if (c.kind != "image") continue;
+    if (c.reference.empty())
+      throw InputError({request.suite.file.string()},
+                       "case '" + c.id + "' has no reference yet: build the suite first (plumb suite build)");
     if (lies_in(c.reference, request.submission))
       throw InputError({c.reference.string()}, "this reference lies inside the submission, which would see it");
     read_reference(c.reference);  // a broken one is found now, not in the middle of a class
@@ -69,7 +72,7 @@ class Grader {
     set_.suite_id = suite_.id;
     set_.suite_hash = suite_.hash;
     set_.dialect = suite_.dialect;
-    set_.variants = suite_.variants;
+    for (const Variant& v : suite_.variants) set_.variants.push_back(v.id);
     set_.submission_id = fs::weakly_canonical(request_.submission).filename().string();
     set_.plumb_version = request_.plumb_version;
     for (const SuiteCase& c : suite_.cases) set_.cases.push_back(blank_result(c));
@@ -87,6 +90,7 @@ class Grader {
       results_.write_case(result);
     }
     keep_selected();
+    settle_variant();
     results_.finish(set_);
     return std::move(set_);
   }
@@ -240,6 +244,32 @@ class Grader {
     result.verdict = verdict;
     result.cause = cause;
     return result;
+  }
+
+  /// A submission keeps to one of the accepted variants in all cases: to the one that gives it most points, the first
+  /// of several.
+  void settle_variant() {
+    std::vector<double> points(suite_.variants.size());
+    bool any = false;
+    for (const CaseResult& c : set_.cases)
+      for (std::size_t v = 0; v < c.by_variant.size(); ++v, any = true)
+        if (is_right(c.by_variant[v].verdict)) points[v] += std::max(c.max_points, 1e-9);
+    if (!any) return;
+    const auto best = static_cast<std::size_t>(std::ranges::max_element(points) - points.begin());
+    set_.variant = suite_.variants[best].id;
+    for (CaseResult& c : set_.cases) {
+      if (c.by_variant.empty()) continue;
+      const auto other = std::ranges::find_if(c.by_variant, [](const CheckResult& r) { return is_right(r.verdict); });
+      const bool was_right = is_right(c.check.verdict);
+      c.check = c.by_variant[best];
+      if (was_right && !is_right(c.check.verdict)) {
+        const std::string& name = suite_.variants[static_cast<std::size_t>(other - c.by_variant.begin())].id;
+        c.check.advice = "this picture is right by the variant '" + name + "', the others by '" + set_.variant +
+                         "': keep to one in all cases";
+        c.points = 0;
+      }
+      results_.write_case(c);
+    }
   }
 
   void settle_points(const SuiteCase& c, CaseResult& result) const {

@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 3> kSkippedNames{"zero", "excluded", "man
 constexpr std::array<std::string_view, 4> kVisibilities{"visible", "hidden", "after_due_date", "after_published"};
 constexpr std::array<std::string_view, 3> kKinds{"image", "check", "growth"};
 constexpr std::array<std::string_view, 2> kMeasures{"trace", "build"};
+constexpr std::array<std::string_view, 3> kSampleRoundings{"nearest", "up", "down"};
 constexpr std::array<std::string_view, 5> kMeshFormats{"msh", "obj", "ply", "off", "stl"};
 
 /// Ids name folders of the results, so they are plain file names.
@@ -65,6 +66,7 @@ class SuiteReader {
     check_top_level_keys();
     TomlFields top(table_, suite_.file, "the suite");
     read_suite_table(table_of(top, "suite"));
+    read_variants();
     if (top.has("runner")) read_runner_table(table_of(top, "runner"));
     if (!suite_.has_runner && !suite_.own_runner)
       top.fail("runner", "is missing, expected a table with 'render', or own_runner = true in [suite]");
@@ -86,12 +88,37 @@ class SuiteReader {
     suite_.id = plain_name(fields, "id");
     if (fields.integer("schema", 0, 0, 1000) != 1) fields.fail("schema", "must be 1, the version of this format");
     suite_.dialect = fields.text("dialect", "");
-    suite_.variants = fields.texts("variants");
+    suite_.undecidable_limit = fields.number("undecidable_limit", suite_.undecidable_limit, 0);
+    if (fields.has("fingerprints")) suite_.fingerprints = existing_folder(fields, "fingerprints", fields.text("fingerprints"));
     suite_.total_seconds = fields.number("total_seconds", suite_.total_seconds, 1);
     suite_.own_runner = fields.flag("own_runner", false);
     const std::string skipped = one_of(fields, "skipped", "zero", kSkippedNames);
     suite_.skipped = static_cast<SkippedPolicy>(std::ranges::find(kSkippedNames, skipped) - kSkippedNames.begin());
     fields.finish();
+  }
+
+  /// Without any, the course's own reading is the one that is accepted.
+  void read_variants() {
+    const toml::array* variants = table_.get_as<toml::array>("variant");
+    if (!variants) {
+      suite_.variants = {Variant()};
+      return;
+    }
+    for (const toml::node& node : *variants) {
+      if (!node.is_table()) throw InputError(location(suite_.file, node), "expected a table [[variant]]");
+      TomlFields fields(*node.as_table(), suite_.file, "[[variant]]");
+      Variant v;
+      v.id = plain_name(fields, "id");
+      if (std::ranges::any_of(suite_.variants, [&](const Variant& other) { return other.id == v.id; }))
+        fields.fail("id", "is '" + v.id + "', which an earlier variant has");
+      const std::string samples = one_of(fields, "samples", "nearest", kSampleRoundings);
+      v.samples = static_cast<SampleRounding>(std::ranges::find(kSampleRoundings, samples) - kSampleRoundings.begin());
+      v.cutoff = fields.flag("cutoff", true);
+      const std::string fresnel = one_of(fields, "fresnel", "exact", fresnel_names());
+      v.fresnel = static_cast<Fresnel>(std::ranges::find(fresnel_names(), fresnel) - fresnel_names().begin());
+      fields.finish();
+      suite_.variants.push_back(std::move(v));
+    }
   }
 
   void read_runner_table(const toml::table& table) {
@@ -184,7 +211,19 @@ class SuiteReader {
       fields.fail("kind", "is image, but [runner] has no 'render'");
     for (const std::string& input : fields.texts("inputs")) c.inputs.push_back(existing_file(fields, "inputs", input));
     c.scene = scene_file(fields, c.inputs);
-    c.reference = existing_file(fields, "reference", fields.text("reference"));
+    for (const std::string& name : fields.texts("envelopes"))
+      c.envelopes.push_back(existing_folder(fields, "envelopes", name));
+    if (!c.envelopes.empty()) {
+      if (fields.has("reference")) fields.fail("reference", "stands beside 'envelopes', which hold their own");
+      if (c.envelopes.size() != suite_.variants.size())
+        fields.fail("envelopes", "names " + std::to_string(c.envelopes.size()) + " folders, expected one for each of the " +
+                                     std::to_string(suite_.variants.size()) + " variants");
+      c.reference = c.envelopes.front() / "nominal.png";
+      if (!fs::is_regular_file(c.reference))
+        fields.fail("envelopes", "names a folder without nominal.png: '" + c.envelopes.front().string() + "'");
+    } else if (fields.has("reference")) {
+      c.reference = existing_file(fields, "reference", fields.text("reference"));
+    }
     // One 8-bit level, which is 1/255 of the linear range of an EXR.
     const bool linear = equal_ignoring_case(c.reference.extension().string(), ".exr");
     c.tolerance = fields.number("tolerance", linear ? 1.0 / 255 : 1, 0);
@@ -248,7 +287,8 @@ class SuiteReader {
     for (const fs::path& input : c.inputs)
       if (!names.insert(input.filename()).second)
         fields.fail("inputs", "holds two files named '" + input.filename().string() + "'");
-    if (std::ranges::any_of(c.inputs, [&](const fs::path& input) { return fs::equivalent(input, c.reference); })) {
+    if (!c.reference.empty() &&
+        std::ranges::any_of(c.inputs, [&](const fs::path& input) { return fs::equivalent(input, c.reference); })) {
       fields.fail("inputs", "holds the reference, which the submission must not see");
     }
   }
@@ -281,12 +321,19 @@ class SuiteReader {
     return file;
   }
 
+  fs::path existing_folder(const TomlFields& fields, std::string_view key, const std::string& name) const {
+    fs::path folder = (folder_ / name).lexically_normal();
+    if (name.empty() || !fs::is_directory(folder))
+      fields.fail(key, "names a folder that does not exist: '" + folder.string() + "'");
+    return folder;
+  }
+
   void check_top_level_keys() const {
-    constexpr std::array<std::string_view, 3> kTables{"suite", "runner", "case"};
+    constexpr std::array<std::string_view, 4> kTables{"suite", "variant", "runner", "case"};
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(kTables, key.str()) != kTables.end()) continue;
       throw InputError(location(suite_.file, node), "unknown key '" + std::string(key.str()) +
-                                                        "', expected [suite], [runner] or [[case]]" +
+                                                        "', expected [suite], [[variant]], [runner] or [[case]]" +
                                                         did_you_mean(key.str(), kTables));
     }
   }
@@ -297,6 +344,10 @@ class SuiteReader {
 };
 
 }  // namespace
+
+bool Suite::needs_build() const {
+  return std::ranges::any_of(cases, [](const SuiteCase& c) { return c.kind == "image" && c.reference.empty(); });
+}
 
 Suite read_suite(const fs::path& file) { return SuiteReader(file).read(); }
 

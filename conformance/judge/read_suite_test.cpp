@@ -251,7 +251,7 @@ TEST_F(SuiteFolder, DefaultsAreThoseOfTheFormat) {
 
 TEST_F(SuiteFolder, EveryValueIsTaken) {
   const Suite suite = read(
-      "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\nvariants = [\"x\", \"y\"]\ntotal_seconds = 7\nown_runner = "
+      "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\ntotal_seconds = 7\nown_runner = "
       "true\nskipped = \"manual\"\n"
       "[runner]\nbuild = [[\"cc\", \"{sources:*.c}\"], [\"true\"]]\nrender = [\"./t\", \"{folder}/{scene_name}\"]\nenv "
       "= { B = \"2\", A = \"1\" }\noutput = \"o.ppm\"\n"
@@ -259,9 +259,11 @@ TEST_F(SuiteFolder, EveryValueIsTaken) {
       "[[case]]\nid = \"a\"\nscene = \"scene.txt\"\ninputs = [\"mesh.msh\"]\nreference = \"ref.png\"\nrequirement = "
       "\"r\"\npoints = 2.5\nrequires = [\"b\"]\n"
       "tolerance = 0\ncpu_seconds = 2\nmemory_mb = 3\noutput_mb = 4\nvisibility = \"hidden\"\n"
-      "[[case]]\nid = \"b\"\nscene = \"scene.txt\"\nreference = \"ref.png\"\nwall_seconds = 5\n");
+      "[[case]]\nid = \"b\"\nscene = \"scene.txt\"\nreference = \"ref.png\"\nwall_seconds = 5\n"
+      "[[variant]]\nid = \"x\"\nsamples = \"up\"\ncutoff = false\nfresnel = \"schlick\"\n[[variant]]\nid = \"y\"\n");
   EXPECT_EQ(suite.dialect, "d");
-  EXPECT_THAT(suite.variants, ElementsAre("x", "y"));
+  EXPECT_THAT(suite.variants, ElementsAre(Variant{"x", SampleRounding::up, false, Fresnel::schlick},
+                                          Variant{"y", SampleRounding::nearest, true, Fresnel::exact}));
   EXPECT_EQ(suite.total_seconds, 7);
   EXPECT_TRUE(suite.own_runner);
   EXPECT_EQ(suite.skipped, SkippedPolicy::manual);

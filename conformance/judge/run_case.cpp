@@ -94,6 +94,7 @@ void run_case(const SuiteCase& suite_case, const Runner& runner, Workspace& work
   } else {
     const ImageCheck check = check_image({suite_case, run, folder.run, paths.output, evidence});
     result.check = check.result;
+    result.by_variant = check.by_variant;
     result.hashes = check.hashes;
   }
   workspace.remove_case_folder(folder);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/envelopes/variant.h"
+
 namespace plumb {
 
 /// How a submission is built and run. Commands are argument lists; no shell reads them. In them stand for something:
@@ -68,6 +70,9 @@ struct SuiteCase {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path scene;
   std::filesystem::path reference;
+  /// The folders of its envelopes, one a variant of the suite (docs/envelopes.md); `reference` is the first one's
+  /// picture. Empty where the picture is judged by the reference and the tolerance alone.
+  std::vector<std::filesystem::path> envelopes;
   /// The requirement it stands for, in words.
   std::string requirement;
   double points = 1;
@@ -89,8 +94,12 @@ struct Suite {
   std::string id;
   /// For people and reports; judging a picture reads no scene.
   std::string dialect;
-  /// Accepted variants of a right picture, for reports.
-  std::vector<std::string> variants;
+  /// The accepted ways to read the assignment; at least one. A submission must keep to one in all cases.
+  std::vector<Variant> variants;
+  /// A scene of which more than this share of the pixels is undecidable is refused when the suite is built.
+  double undecidable_limit = 0.05;
+  /// The folder of the known mistakes' pictures; empty for none.
+  std::filesystem::path fingerprints;
   /// On the clock, for all of a submission.
   double total_seconds = 3600;
   /// Whether the submission's own submission.toml says how it is built and run.
@@ -108,6 +117,9 @@ struct Suite {
   std::vector<SuiteCase> cases;
   /// SHA-256 over the suite file and every file it names.
   std::string hash;
+
+  /// Whether a case of kind image has neither a reference nor envelopes: `plumb suite build` makes them.
+  bool needs_build() const;
 };
 
 /// Reads and checks a suite. Paths in it are relative to its folder. Throws InputError, with line and column, for

@@ -67,6 +67,8 @@ std::string suite_hash(const Suite& suite) {
   for (const SuiteCase& c : suite.cases) {
     for (const fs::path& input : c.inputs) add(input, input.filename());
     if (!c.reference.empty()) add(c.reference, c.reference.filename());
+    for (const fs::path& envelope : c.envelopes)
+      for (const char* name : {"nominal.png", "low.png", "high.png", "reasons.png"}) add(envelope / name, name);
   }
   if (!suite.overlay.empty()) {
     std::vector<fs::path> files;

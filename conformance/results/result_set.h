@@ -18,6 +18,8 @@ struct CaseResult {
   std::string requirement;
   std::string visibility;
   CheckResult check;
+  /// kind image, judged by envelopes: the result by each of the suite's variants; `check` is one of them.
+  std::vector<CheckResult> by_variant;
   /// Points earned, out of max_points. A pending case waits for a person: its points count neither way.
   double points = 0;
   double max_points = 0;
@@ -52,7 +54,9 @@ struct ResultSet {
   std::string suite_id;
   std::string suite_hash;
   std::string dialect;
+  /// The ids of the accepted variants, and the one that the submission was judged by; empty where no case has envelopes.
   std::vector<std::string> variants;
+  std::string variant;
   std::string submission_id;
   std::string plumb_version;
   /// Sentences about the submission as a whole: files left out, a configuration ignored.

@@ -130,6 +130,7 @@ Json results_json(const ResultSet& r) {
   Json json;
   json["schema"] = kSchema;
   json["suite"] = {{"id", r.suite_id}, {"hash", r.suite_hash}, {"dialect", r.dialect}, {"variants", r.variants}};
+  json["variant"] = r.variant;
   json["submission"] = r.submission_id;
   json["versions"] = {{"plumb", r.plumb_version}};
   json["totals"] = {{"points", number(totals.points)},

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "conformance/compare/heat_map.h"
 #include "conformance/compare/judge_picture.h"
+#include "conformance/envelopes/envelope.h"
+#include "conformance/envelopes/judge_envelope.h"
 #include "conformance/judge/copy_tree.h"
 #include "conformance/judge/suite_hash.h"
 #include "conformance/sandbox/harvest.h"
@@ -76,6 +79,57 @@ CheckResult unusable(const HarvestResult& harvested) {
   throw std::logic_error("this harvest is not unusable");
 }
 
+void judge_by_reference(const ImageCheckInput& input, const fs::path& file, const Picture& reference,
+                        ImageCheck& check) {
+  const PictureJudgement judgement = judge_picture(file, reference, input.suite_case.tolerance);
+  check.result = judgement.result;
+  if (judgement.difference && judgement.difference->max > 0)
+    write_png(heat_map(reference, *judgement.picture), reference.width, reference.height,
+              input.evidence_folder / "difference.png");
+}
+
+/// The heat map of the wrong pixels alone: those that are a right answer count as equal.
+void write_wrong_pixels(const Picture& reference, Picture picture, const PixelMask& mask, const fs::path& file) {
+  for (std::size_t i = 0; i < picture.samples.size(); ++i)
+    if (mask.wrong[i / 3] == 0) picture.samples[i] = reference.samples[i];
+  write_png(heat_map(reference, picture), reference.width, reference.height, file);
+}
+
+void judge_by_envelopes(const ImageCheckInput& input, const fs::path& file, const Picture& reference,
+                        ImageCheck& check) {
+  const SuiteCase& c = input.suite_case;
+  const PictureJudgement opened = open_picture(file, reference);
+  check.result = opened.result;
+  if (check.result.verdict != Verdict::pass) return;
+  std::optional<EnvelopeFindings> best;
+  Picture best_reference;
+  for (std::size_t v = 0; v < c.envelopes.size(); ++v) {
+    const auto same = std::ranges::find(c.envelopes.begin(), c.envelopes.begin() + static_cast<std::ptrdiff_t>(v), c.envelopes[v]);
+    if (const auto earlier = static_cast<std::size_t>(same - c.envelopes.begin()); earlier < v) {
+      check.by_variant.push_back(check.by_variant[earlier]);
+      continue;
+    }
+    const Envelope envelope = read_envelope(c.envelopes[v]);
+    EnvelopeFindings findings = compare_with_envelope(*opened.picture, envelope, c.tolerance);
+    check.by_variant.push_back(judge_findings(findings, *opened.picture, envelope, c.tolerance));
+    if (!best || findings.wrong_pixels() < best->wrong_pixels()) {
+      check.result = check.by_variant.back();
+      best = std::move(findings);
+      best_reference = reference;
+      best_reference.samples.assign(envelope.nominal.begin(), envelope.nominal.end());
+    }
+  }
+  if (best->wrong_pixels() > 0)
+    write_wrong_pixels(best_reference, *opened.picture, best->mask, input.evidence_folder / "difference.png");
+}
+
+void warn_of_exit_status(int exit_code, CheckResult& result) {
+  if (!is_right(result.verdict)) return;
+  result.verdict = Verdict::quality_warning;
+  result.cause = "exit_status";
+  result.advice = fmt::format("the picture is right, but the program ended with exit status {}: end with 0", exit_code);
+}
+
 }  // namespace
 
 ImageCheck check_image(const ImageCheckInput& input) {
@@ -98,17 +152,13 @@ ImageCheck check_image(const ImageCheckInput& input) {
   check.hashes.emplace_back("picture", file_hash(picture));
 
   const Picture reference = read_reference(input.suite_case.reference);
-  const PictureJudgement judgement = judge_picture(picture, reference, input.suite_case.tolerance);
-  check.result = judgement.result;
-  if (judgement.difference && judgement.difference->max > 0) {
-    write_png(heat_map(reference, *judgement.picture), reference.width, reference.height,
-              input.evidence_folder / "difference.png");
-  }
-  if (is_right(check.result.verdict) && input.run.exit_code != 0) {
-    check.result.verdict = Verdict::quality_warning;
-    check.result.cause = "exit_status";
-    check.result.advice =
-        fmt::format("the picture is right, but the program ended with exit status {}: end with 0", input.run.exit_code);
+  if (input.suite_case.envelopes.empty())
+    judge_by_reference(input, picture, reference, check);
+  else
+    judge_by_envelopes(input, picture, reference, check);
+  if (input.run.exit_code != 0) {
+    warn_of_exit_status(input.run.exit_code, check.result);
+    for (CheckResult& result : check.by_variant) warn_of_exit_status(input.run.exit_code, result);
   }
   return check;
 }

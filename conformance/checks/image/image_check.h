@@ -24,14 +24,18 @@ struct ImageCheckInput {
 };
 
 struct ImageCheck {
+  /// By envelopes: the best of `by_variant`, the first of several.
   CheckResult result;
+  /// By envelopes: one for each variant of the suite. Empty where there was no picture to compare.
+  std::vector<CheckResult> by_variant;
   /// Of the picture and the reference, by name.
   std::vector<std::pair<std::string, std::string>> hashes;
 };
 
 /// Whether the program wrote the picture that the case asks for. The picture is taken out by descriptor, never through
-/// a link (`security`), and judged by judge_picture; none at all is `no_picture`. A right picture from a program with
-/// an exit status other than 0 is a quality_warning (`exit_status`).
+/// a link (`security`), and judged by the case's envelopes (judge_findings), or where it has none by judge_picture; no
+/// picture at all is `no_picture`. A right picture from a program with an exit status other than 0 is a quality_warning
+/// (`exit_status`).
 ImageCheck check_image(const ImageCheckInput& input);
 
 }  // namespace plumb

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "conformance/envelopes/textbook/scene.h"
 #include "conformance/envelopes/textbook/textbook.h"
@@ -62,6 +66,8 @@ class SceneBuilder {
     if (const auto known = shaders_.find(object.get()); known != shaders_.end()) return known->second;
     Shader<A> shader;
     const std::string_view kind = object->kind->name;
+    if (kind != "Lambertian" && kind != "Phong" && kind != "Glazed" && kind != "Glass")
+      throw std::logic_error("the textbook tracer has no shader of kind " + std::string(kind));
     if (kind == "Lambertian" || kind == "Phong") shader.diffuse = V::from(object->color("diffuseColor"));
     if (kind == "Phong") {
       shader.coat = Coat::phong;
@@ -97,8 +103,9 @@ class SceneBuilder {
     }
     for (const Matrix<A>& step : placed.object_from_world) {
       if (!step.is_finite())
-        throw InputError(surface.where(), "its transform has no inverse in the textbook tracer's arithmetic, "
-                                          "expected factors of scale that are not zero nor extreme");
+        throw InputError(surface.where(),
+                         "its transform has no inverse in the textbook tracer's arithmetic, "
+                         "expected factors of scale that are not zero nor extreme");
     }
     scene_.placements.push_back(std::move(placed));
     add_primitives();
@@ -195,16 +202,16 @@ class SceneBuilder {
     const Bounds<A> local = bounds_of(scene_.solids[placed.shape]);
     Bounds<A> bounds;
     for (int corner = 0; corner < 8; ++corner) {
-      bounds.extend(world_from_object.move({corner & 1 ? local.max.x : local.min.x,
-                                            corner & 2 ? local.max.y : local.min.y,
-                                            corner & 4 ? local.max.z : local.min.z}));
+      bounds.extend(
+          world_from_object.move({corner & 1 ? local.max.x : local.min.x, corner & 2 ? local.max.y : local.min.y,
+                                  corner & 4 ? local.max.z : local.min.z}));
     }
     scene_.primitives.push_back({number, 0});
     bounds_.push_back(bounds);
   }
 
-  /// Boxes are widened for what is rounded in them, in a ray's origin and on the way into an object's frame: a few dozen
-  /// units of the last place of the largest coordinate around.
+  /// Boxes are widened for what is rounded in them, in a ray's origin and on the way into an object's frame: a few
+  /// dozen units of the last place of the largest coordinate around.
   void build_hierarchy() {
     Bounds<A> all;
     all.extend(scene_.camera.eye);
@@ -212,8 +219,7 @@ class SceneBuilder {
     Real largest = 0;
     for (const V& corner : {all.min, all.max})
       for (std::size_t axis = 0; axis < 3; ++axis) largest = std::max(largest, std::fabs(corner[axis]));
-    for (Bounds<A>& bounds : bounds_)
-      bounds = bounds.widened(64 * std::numeric_limits<Real>::epsilon() * largest);
+    for (Bounds<A>& bounds : bounds_) bounds = bounds.widened(64 * std::numeric_limits<Real>::epsilon() * largest);
     scene_.hierarchy = Hierarchy<A>(bounds_);
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "conformance/envelopes/textbook/arithmetic.h"
@@ -11,14 +12,12 @@ namespace plumb::textbook {
 /// | what | usual | other |
 /// | --- | --- | --- |
 /// | transforms | multiplied to one matrix | applied one after the other (scene.h) |
-/// | spheres, cylinders | half the chord about the nearest point | a t^2 + 2 b t + c = 0 by its discriminant |
-/// | cones | the discriminant by minors, roots that do not cancel | the same |
-/// | where a ray hits | put onto the surface | origin + t direction |
-/// | triangles | [Moller and Trumbore 1997] | the plane, then areas |
-/// | interpolated normals | weighted sum of three | the first and two differences |
-/// | camera rays | of unit length | to the view window |
-/// | reflectance | parallel and perpendicular part | [Cook and Torrance 1982] |
-/// | refraction | along the normal and the ray | along the normal and the tangent |
+/// | spheres, cylinders | half the chord about the nearest point [Haines 2019] | a t^2 + 2 b t + c = 0 by its
+/// discriminant | | cones | the discriminant by minors, roots that do not cancel | the same | | where a ray hits | put
+/// onto the surface | origin + t direction | | triangles | [Moller 1997] | the plane, then areas | | interpolated
+/// normals | weighted sum of three | the first and two differences | | camera rays | of unit length | to the view
+/// window | | reflectance | parallel and perpendicular part [Shirley 13.1] | [Cook 1982] | | refraction | along the
+/// normal and the ray | along the normal and the tangent |
 enum class Formulas { usual, other };
 
 template <class A>

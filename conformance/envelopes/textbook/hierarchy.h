@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "conformance/envelopes/textbook/arithmetic.h"
@@ -104,7 +107,7 @@ class Hierarchy {
       return;
     }
     const std::uint32_t middle = begin + (end - begin) / 2;
-    // Equal centres by their number, so that the tree is the same with every library.
+    // Equal centres by their number, so that the halves are the same with every library.
     std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                      [&](std::uint32_t a, std::uint32_t b) {
                        const Real of_a = twice_center(bounds[a])[node.axis], of_b = twice_center(bounds[b])[node.axis];

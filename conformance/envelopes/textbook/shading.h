@@ -1,5 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
 #include "conformance/envelopes/textbook/scene.h"
 #include "conformance/envelopes/textbook/textbook.h"
 
@@ -30,7 +35,7 @@ RealOf<A> reflectance(const Interface<A>& at, RealOf<A> beyond, bool schlick, Fo
     const Real rest = 1 - (from <= to ? c : beyond);
     return r0 * r0 + (1 - r0 * r0) * rest * rest * rest * rest * rest;
   }
-  if (formulas == Formulas::other) {  // [Cook and Torrance 1982]
+  if (formulas == Formulas::other) {  // [Cook 1982]
     const Real g = to / from * beyond;
     const Real outer = (g - c) / (g + c);
     const Real inner = (c * (g + c) - 1) / (c * (g - c) + 1);
@@ -72,6 +77,7 @@ class Tracer {
 
   enum Note : std::uint32_t { kMissed = 1, kDropped, kReflected, kRefracted, kSurface, kLights };
 
+  /// [Whitted 1980]
   V trace(const Ray<A>& ray, const Path& path) {
     const std::optional<Hit<A>> hit = scene_.closest(ray);
     if (!hit) {
@@ -137,8 +143,8 @@ class Tracer {
     const Real facing = dot(point.normal, point.to_viewer);
     const bool inside = facing < 0;
     const V normal = inside ? -point.normal : point.normal;
-    const Interface<A> at = inside ? Interface<A>{-facing, shader.refractive_index, 1}
-                                   : Interface<A>{facing, 1, shader.refractive_index};
+    const Interface<A> at =
+        inside ? Interface<A>{-facing, shader.refractive_index, 1} : Interface<A>{facing, 1, shader.refractive_index};
     const std::optional<Real> beyond = at.cosine_beyond();
     const V mirror = mirrored(point, normal);
     if (!beyond) return follow(kReflected, point, mirror, path, 1);
@@ -174,7 +180,7 @@ class Tracer {
   }
   void note(Note what, std::uint32_t value) { sample_.path = mixed(mixed(sample_.path, what), value); }
 
-  /// A hash that depends on the order [Fowler 1991], a word at a time.
+  /// A hash of both by multiplication; it depends on their order.
   static std::uint32_t mixed(std::uint32_t hash, std::uint32_t value) {
     const std::uint64_t bits = (0xcbf29ce484222325 ^ (std::uint64_t{hash} << 32 | value)) * 0x9e3779b97f4a7c15;
     return static_cast<std::uint32_t>(bits >> 32 ^ bits >> 7);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "conformance/envelopes/textbook/formulas.h"
@@ -52,6 +55,7 @@ std::optional<Crossing<A>> meet_box(const Solid<A>& box, const Ray<A>& ray) {
     }
     Crossing<A> near{(box.min[axis] - o) / d, 2 * axis}, far{(box.max[axis] - o) / d, 2 * axis + 1};
     if (d < 0) std::swap(near, far);
+    if (!(near.t <= far.t)) return std::nullopt;  // NaN
     if (near.t > enter.t) enter = near;
     if (far.t < leave.t) leave = far;
   }

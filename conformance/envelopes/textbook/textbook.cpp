@@ -18,8 +18,7 @@ template <class A>
 textbook::Vector<A> camera_direction(const textbook::Scene<A>& scene, textbook::RealOf<A> u, textbook::RealOf<A> v) {
   using Real = textbook::RealOf<A>;
   const textbook::Camera<A>& camera = scene.camera;
-  const textbook::Vector<A> direction =
-      camera.to_center + (u - Real(0.5)) * camera.right + (v - Real(0.5)) * camera.up;
+  const textbook::Vector<A> direction = camera.to_center + (u - Real(0.5)) * camera.right + (v - Real(0.5)) * camera.up;
   return scene.formulas == textbook::Formulas::usual ? unit(direction) : direction;
 }
 

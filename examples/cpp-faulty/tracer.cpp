@@ -117,7 +117,8 @@ struct Span {
 };
 
 // What a box and a round body about `center` have in common: the points p with low <= p <= high and
-// sum(weight p^2) <= radius^2. A sphere has weight (1, 1, 1), a cylinder (1, 1, 0), a box 0.
+// sum(weight p^2) <= radius^2. A sphere has weight (1, 1, 1), a cylinder (1, 1, 0), a box 0, a cone about its tip
+// (1, 1, -slope^2) and radius 0.
 // Hit where the ray enters, or where it leaves if it starts inside. There is deliberately no test
 // that start <= end: the course's pictures show a box whose minPt lies above its maxPt on some axis
 // as the farther of these two planes.
@@ -126,15 +127,24 @@ struct Solid : Surface {
   double radius = 1;
   void intersect(const Ray& ray, Hit& hit) const override {
     Vec o = ray.origin - center, d = ray.direction;
-    Span span({o, d, ray.t_min, ray.t_max}, low, high);
+    Ray local{o, d, ray.t_min, ray.t_max};
     double a = dot(weight * d, d), b = dot(weight * o, d), c = dot(weight * o, o) - radius * radius;
-    double root = std::sqrt(b * b - a * c);
-    if (std::isnan(root) || (a == 0 && c > 0)) return;  // the ray misses, or runs along a cylinder outside
-    span.narrow((-b - root) / a, (-b + root) / a, 3);   // NaN, and no limit, if it runs along it inside
+    double root = std::sqrt(b * b - a * c), near = (-b - root) / a, far = (-b + root) / a;
+    if (a < 0) {  // steep in a cone: inside before the one side and after the other, all the way if there are none
+      if (!meet(local, -INFINITY, far, hit)) meet(local, near, INFINITY, hit);
+    } else if (!std::isnan(root) && (a != 0 || c <= 0)) {  // else the ray misses, or runs along a cylinder outside
+      meet(local, near, far, hit);  // NaN, and no limit, if it runs along it inside
+    }
+  }
+  bool meet(const Ray& ray, double near, double far, Hit& hit) const {  // within the round side from near to far
+    Span span(ray, low, high);
+    span.narrow(near, far, 3);
     bool enters = span.start.part >= 0;
     auto [t, part] = enters ? span.start : span.end;
-    if (span.empty || part < 0 || t >= hit.t) return;
-    hit = {t, part == 3 ? weight * (o + d * t) : axis(part, (d[part] > 0) == enters ? -1 : 1), this};
+    if (span.empty || part < 0) return false;
+    double sign = part != 3 && (ray.direction[part] > 0) == enters ? -1 : 1;
+    if (t < hit.t) hit = {t, part == 3 ? weight * (ray.origin + ray.direction * t) : axis(part, sign), this};
+    return true;
   }
 };
 
@@ -366,11 +376,18 @@ std::shared_ptr<Surface> readShape(const Element& e, const string& folder) {
     solid->low = e.vec("minpt", {}), solid->high = e.vec("maxpt", {});
     return solid;
   }
-  double half = e.type == "Cylinder" ? e.number("height", 1) / 2 : INFINITY;
+  double half = e.type == "Sphere" ? INFINITY : e.number("height", 1) / 2;
   solid->center = e.vec("center", {}), solid->radius = e.number("radius", 1);
   solid->low.z = -half, solid->high.z = half, solid->weight = {1, 1, e.type == "Sphere" ? 1.0 : 0.0};
-  if (e.type != "Sphere" && e.type != "Cylinder") throw Error("a surface of unknown type '" + e.type + "'");
+  bool known = e.type == "Sphere" || e.type == "Cylinder" || e.type == "Cone";
+  if (!known) throw Error("a surface of unknown type '" + e.type + "'");
   if (solid->radius < 0 || half < 0) throw Error("a radius or a height is negative");
+  if (e.type == "Cone") {
+    double above = solid->center.z - e.number("tipz", 0);  // of the tip, which takes the place of the centre
+    if (above == 0) throw Error("a cone's tip lies at its centre");
+    solid->weight.z = -std::pow(solid->radius / above, 2), solid->radius = 0;
+    solid->center.z -= above, solid->low.z += above, solid->high.z += above;
+  }
   return solid;
 }
 

@@ -14,10 +14,10 @@ public class Camera {
     private double viewWidth = 1;
     private double viewHeight = 1;
 
-    // from the eye to the middle of the window, and along its edges
+    // from the eye to the middle of the window, and unit vectors along its edges
     private Vector3 toCenter;
     private Vector3 across;
-    private Vector3 up;
+    private Vector3 upward;
 
     public Camera() {
         check();
@@ -63,17 +63,17 @@ public class Camera {
         Vector3 w = (projNormal == null ? viewDir : projNormal).unit();
         double cosine = w.dot(viewDir);
         w = cosine > 0 ? w.negated() : w;
-        Vector3 u = viewUp.cross(w).unit();
-        if (cosine == 0 || u.length() == 0) {
+        across = viewUp.cross(w).unit();
+        upward = w.cross(across);
+        if (cosine == 0 || across.length() == 0) {
             throw new IllegalArgumentException("the camera's viewDir, viewUp and projNormal do not span a window");
         }
         toCenter = viewDir.unit().times(projDistance);
-        across = u.times(viewWidth);
-        up = w.cross(u).times(viewHeight);
     }
 
     /** The ray through a point of the window, whose lower left corner is (0,0) and whose upper right one is (1,1). */
     public Ray getRay(double u, double v) {
-        return new Ray(viewPoint, toCenter.plus(across.times(u - 0.5)).plus(up.times(v - 0.5)));
+        return new Ray(viewPoint, toCenter.plus(across.times((u - 0.5) * viewWidth))
+                .plus(upward.times((v - 0.5) * viewHeight)));
     }
 }

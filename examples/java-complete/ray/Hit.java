@@ -45,6 +45,13 @@ public final class Hit {
         return true;
     }
 
+    /** Takes an end of a stretch that lies within a solid: where the ray enters it or, if it began inside, where it leaves. */
+    public void offerEnds(Ray ray, double enter, int enterPart, double leave, int leavePart) {
+        if (!offer(ray, enter, enterPart)) {
+            offer(ray, leave, leavePart);
+        }
+    }
+
     private boolean isBefore(int newPart) {
         return instance == null || tried.index < instance.index || tried == instance && newPart < part;
     }

@@ -73,8 +73,7 @@ public class Box extends Shape {
             }
         }
         if (enter <= leave) {
-            hit.offer(ray, enter, enterPart);
-            hit.offer(ray, leave, leavePart);
+            hit.offerEnds(ray, enter, enterPart, leave, leavePart);
         }
     }
 

@@ -118,8 +118,7 @@ abstract class RoundSolid extends Shape {
 
         void offer(Ray ray, Hit hit) {
             if (enter <= leave) {
-                hit.offer(ray, enter, enterPart);
-                hit.offer(ray, leave, leavePart);
+                hit.offerEnds(ray, enter, enterPart, leave, leavePart);
             }
         }
     }

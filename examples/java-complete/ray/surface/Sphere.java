@@ -24,8 +24,7 @@ public class Sphere extends Shape {
         Quadratic inside = new Quadratic(ray.direction.dot(ray.direction), o.dot(ray.direction),
                 o.dot(o) - radius * radius);
         if (inside.hasRoots) {
-            hit.offer(ray, inside.low, 0);
-            hit.offer(ray, inside.high, 0);
+            hit.offerEnds(ray, inside.low, 0, inside.high, 0);
         }
     }
 

@@ -6,6 +6,7 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.StringTokenizer;
@@ -30,6 +31,10 @@ class Parser {
 
     private final File file;
     private final Map<String, Object> named = new HashMap<>();
+
+    // To find a class or a method by its name takes long, and a scene may have thousands of spheres.
+    private final Map<String, Class<?>> types = new HashMap<>();
+    private final Map<Class<?>, Map<String, Method>> methods = new HashMap<>();
 
     Parser(File file) {
         this.file = file;
@@ -89,7 +94,7 @@ class Parser {
     }
 
     private Object object(Element e, Class<?> wanted) throws Exception {
-        Class<?> type = e.hasAttribute("type") ? find(e.getAttribute("type")) : wanted;
+        Class<?> type = e.hasAttribute("type") ? types.computeIfAbsent(e.getAttribute("type"), Parser::find) : wanted;
         if (!wanted.isAssignableFrom(type)) {
             throw new IllegalArgumentException("a " + type.getSimpleName() + " is no " + e.getTagName());
         }
@@ -108,23 +113,36 @@ class Parser {
                 call(method, result, value(child, method.getParameterTypes()[0]));
             }
         }
-        for (Method method : type.getMethods()) {
-            if (method.getName().equals("check")) {
-                call(method, result);
-            }
+        Method check = methods(type).get("check");
+        if (check != null) {
+            call(check, result);
         }
         return result;
     }
 
-    private static Method setter(Class<?> type, String tag) {
-        for (Method method : type.getMethods()) {
-            String name = method.getName();
-            if (method.getParameterCount() == 1
-                    && (name.equalsIgnoreCase("set" + tag) || name.equalsIgnoreCase("add" + tag))) {
-                return method;
-            }
+    private Method setter(Class<?> type, String tag) {
+        Map<String, Method> known = methods(type);
+        String name = tag.toLowerCase(Locale.ROOT);
+        Method method = known.getOrDefault("set" + name, known.get("add" + name));
+        if (method == null) {
+            throw new IllegalArgumentException("<" + tag + "> is unknown in a " + type.getSimpleName());
         }
-        throw new IllegalArgumentException("<" + tag + "> is unknown in a " + type.getSimpleName());
+        return method;
+    }
+
+    /** The methods of a class that are of interest here, by their names in small letters. */
+    private Map<String, Method> methods(Class<?> type) {
+        return methods.computeIfAbsent(type, key -> {
+            Map<String, Method> known = new HashMap<>();
+            for (Method method : key.getMethods()) {
+                String name = method.getName();
+                boolean sets = name.startsWith("set") || name.startsWith("add");
+                if (sets && method.getParameterCount() == 1 || name.equals("check")) {
+                    known.put(name.toLowerCase(Locale.ROOT), method);
+                }
+            }
+            return known;
+        });
     }
 
     /** A type may be written with a package before it; where the class really is, is known here. */

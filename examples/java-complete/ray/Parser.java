@@ -110,12 +110,12 @@ class Parser {
                 if (!called.add(method) && method.getName().startsWith("set")) {
                     System.err.println(file + ": warning: <" + child.getTagName() + "> twice: the last one counts");
                 }
-                call(method, result, value(child, method.getParameterTypes()[0]));
+                call(method, child.getTagName(), result, value(child, method.getParameterTypes()[0]));
             }
         }
         Method check = methods(type).get("check");
         if (check != null) {
-            call(check, result);
+            call(check, e.getTagName(), result);
         }
         return result;
     }
@@ -194,11 +194,14 @@ class Parser {
         return type == double.class ? Double.class : type == int.class ? Integer.class : type;
     }
 
-    /** Calls a method and lets through what it throws. */
-    private static void call(Method method, Object on, Object... arguments) throws Exception {
+    /** Calls a method; what it throws gets the tag in front. */
+    private static void call(Method method, String tag, Object on, Object... arguments) throws Exception {
         try {
             method.invoke(on, arguments);
         } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof IllegalArgumentException) {
+                throw new IllegalArgumentException("<" + tag + ">: " + e.getCause().getMessage());
+            }
             throw e.getCause() instanceof Exception ? (Exception) e.getCause() : e;
         }
     }

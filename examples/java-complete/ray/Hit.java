@@ -45,7 +45,7 @@ public final class Hit {
         return true;
     }
 
-    /** Takes an end of a stretch that lies within a solid: where the ray enters it or, if it began inside, where it leaves. */
+    /** Takes where the ray enters a solid or, if it begins inside, where it leaves it. */
     public void offerEnds(Ray ray, double enter, int enterPart, double leave, int leavePart) {
         if (!offer(ray, enter, enterPart)) {
             offer(ray, leave, leavePart);

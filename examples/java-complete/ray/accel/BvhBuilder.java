@@ -12,7 +12,7 @@ final class BvhBuilder {
     /** Six numbers for each node. */
     final double[] boxes;
 
-    /** Of a leaf, its first place in the order; of another node, the first of its two children, which are neighbours. */
+    /** Of a leaf, its first place in the order; of another node, the first of its two children, which are adjacent. */
     final int[] first;
 
     /** How many items a leaf has; 0 for a node that is none. */

@@ -1,6 +1,8 @@
 package ray.surface;
 
-/** A cone, cut off at both ends; the radius is that at the centre. If the tip is between the ends, it is a double cone. */
+/**
+ * A cone, cut off at both ends; the radius is that at the centre. With its tip between the ends, it is a double cone.
+ */
 public class Cone extends RoundSolid {
 
     private double tipZ;

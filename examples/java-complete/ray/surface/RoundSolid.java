@@ -15,6 +15,9 @@ abstract class RoundSolid extends Shape {
     private static final int TOP = 1;
     private static final int SIDE = 2;
 
+    private static final Interval WHOLE_LINE =
+            new Interval(Double.NEGATIVE_INFINITY, SIDE, Double.POSITIVE_INFINITY, SIDE);
+
     protected Vector3 center = Vector3.ZERO;
     protected double radius = 1;
     protected double height = 1;
@@ -46,7 +49,7 @@ abstract class RoundSolid extends Shape {
         Vector3 d = ray.direction;
         if (d.z == 0) {
             if (Math.abs(o.z) <= height / 2) {
-                intersectSide(ray, o, new Interval(Double.NEGATIVE_INFINITY, SIDE, Double.POSITIVE_INFINITY, SIDE), hit);
+                intersectSide(ray, o, WHOLE_LINE, hit);
             }
             return;
         }

@@ -117,6 +117,12 @@ TEST_F(ExamplesTest, TheOneInJavaFailsExactlyItsFaultyCase) {
   EXPECT_EQ(results_["totals"]["points"], 92);
 }
 
+TEST_F(ExamplesTest, TheCompleteOneInJavaEqualsOurOwnPictures) {
+  EXPECT_THAT(wrong_cases("java-complete", own_suite("demo.toml"), 0, kDemoCases), IsEmpty());
+  EXPECT_EQ(results_["totals"]["points"], 100);
+  expect_equal_to_the_last_pixel();
+}
+
 TEST_F(ExamplesTest, OurOwnTracerPassesThroughTheSameDoor) {
   EXPECT_THAT(wrong_cases("plumb", own_suite("demo.toml"), 0, kDemoCases), IsEmpty());
   expect_equal_to_the_last_pixel();
@@ -145,6 +151,12 @@ TEST_F(ExamplesTest, TheOneInJavaFailsTheCoursesTurnedScenes) {
   EXPECT_THAT(wrong_cases("java-course", PLUMB_COURSE_SUITE, 1, kCourseScenes),
               UnorderedElementsAre("sphereSquished", "sphereMeshSquished"));
   EXPECT_EQ(results_["totals"]["points"], 80);
+}
+
+TEST_F(ExamplesTest, TheCompleteOneInJavaEqualsTheCoursesPictures) {
+  EXPECT_THAT(wrong_cases("java-complete", PLUMB_COURSE_SUITE, 0, kCourseScenes), IsEmpty());
+  EXPECT_EQ(results_["totals"]["points"], 100);
+  expect_equal_to_the_last_pixel();
 }
 
 TEST_F(ExamplesTest, TheFaultyOneInCppFailsTheCoursesScenesOfItsFaults) {

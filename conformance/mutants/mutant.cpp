@@ -93,8 +93,8 @@ std::vector<std::string> Mutant::files() const {
 
 std::span<const std::string_view> mutant_steps() {
   static constexpr std::array<std::string_view, 13> kSteps{
-      "camera",     "surfaces", "lights", "shaders",   "boxes",        "mesh", "groups",
-      "transforms", "hierarchy", "recursion", "antialiasing", "gamma",     "parser"};
+      "camera",     "surfaces",  "lights",    "shaders",      "boxes", "mesh",  "groups",
+      "transforms", "hierarchy", "recursion", "antialiasing", "gamma", "parser"};
   return kSteps;
 }
 

@@ -43,16 +43,16 @@ struct Mutant {
 /// The steps of the assignment, in its order.
 std::span<const std::string_view> mutant_steps();
 
-/// Reads `ID.toml`. Throws InputError at the value at fault: malformed, a key that is unknown or missing, an empty text,
-/// an unknown step, an edit that changes nothing, a mutant that nothing has to catch.
+/// Reads `ID.toml`. Throws InputError at the value at fault: malformed, a key that is unknown or missing, an empty
+/// text, an unknown step, an edit that changes nothing, a mutant that nothing has to catch.
 Mutant read_mutant(const std::filesystem::path& file);
 
 /// Every `*.toml` of the folder, in the order of ids. Throws as read_mutant; and InputError if there is none, or if two
 /// have the same name or hint.
 std::vector<Mutant> read_mutants(const std::filesystem::path& folder);
 
-/// The text with the edit made. Throws InputError, naming `edit.file`, if `find` does not occur in it exactly once: then
-/// the source has moved on, and the mutant has to follow it.
+/// The text with the edit made. Throws InputError, naming `edit.file`, if `find` does not occur in it exactly once:
+/// then the source has moved on, and the mutant has to follow it.
 std::string apply(const Edit& edit, std::string text);
 
 /// A source file of the project, read below `root`, with all of the mutant's edits of it made in their order. Throws

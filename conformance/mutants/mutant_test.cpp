@@ -24,8 +24,7 @@ class Mutants : public testing::Test {
     return folder_ / name;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) /
-                           testing::UnitTest::GetInstance()->current_test_info()->name();
+  const fs::path folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 /// What an InputError says, or nothing where none is thrown.

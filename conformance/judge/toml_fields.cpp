@@ -154,6 +154,15 @@ std::vector<std::pair<std::string, std::string>> TomlFields::text_table(std::str
   return entries;
 }
 
+std::vector<const toml::table*> TomlFields::tables(std::string_view key) {
+  const toml::node* node = find(key);
+  if (!node) return {};
+  if (!node->is_array_of_tables()) fail(key, "is no list of tables, expected [[" + std::string(key) + "]]");
+  std::vector<const toml::table*> tables;
+  for (const toml::node& item : *node->as_array()) tables.push_back(item.as_table());
+  return tables;
+}
+
 void TomlFields::finish() const {
   const std::vector<std::string_view> names(known_.begin(), known_.end());
   for (const auto& [key, node] : table_) {

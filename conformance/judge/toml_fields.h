@@ -30,6 +30,8 @@ class TomlFields {
   std::vector<std::vector<std::string>> text_lists(std::string_view key);
   /// Names with texts, `{ NAME = "value" }`, in order of name.
   std::vector<std::pair<std::string, std::string>> text_table(std::string_view key);
+  /// The tables of `[[key]]`, in order; each outlives this.
+  std::vector<const toml::table*> tables(std::string_view key);
   bool has(std::string_view key) const;
 
   /// Throws at the first key that was not read above, with the nearest one that was.

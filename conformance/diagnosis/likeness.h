@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "conformance/diagnosis/deviation.h"
+
+namespace plumb {
+
+/// One mistake, case by case in the order of the submission's deviations.
+struct MistakeMatches {
+  /// Nothing where the mistake draws the case rightly.
+  std::vector<std::optional<Match>> cases;
+  /// Cases that are left out, as nobody knows what a program with the mistake draws there.
+  std::vector<bool> unknown;
+};
+
+/// How far one mistake, or two together, accounts for a submission.
+struct Likeness {
+  /// In [0, 1]: the mean over the cases of three likenesses of their patterns; 1 if all are the same.
+  double value = 0;
+  /// Of the submission's wrong pixels, over all cases: the share that is reproduced.
+  double explained = 0;
+  /// Of the pixels where the mistakes show, over all cases: the share in which the submission is right.
+  double missed = 0;
+};
+
+/// Compares over all cases at once. `mistakes`: one or two. A case counts by the share of its pixels that are wrong in
+/// either pattern, up to about a half percent; from there on a large pattern counts little more than a small one, so
+/// that no case drowns the others. In a case,
+/// - half of the likeness is the area where colours agree, as a share of the area where either pattern shows [Jaccard
+///   1912]. Of two mistakes, that is where either agrees; what both change counts half where neither alone agrees;
+/// - a quarter compares what the pictures are off by in squares of 8 x 8 pixels, as the sum of the smaller over that of
+///   the larger amounts [Ruzicka 1958]: two programs have different noise, but as much of it;
+/// - a quarter is the cosine between those sums: the same mistake with another constant goes into the same direction.
+Likeness likeness(std::span<const Deviation> deviations, std::span<const MistakeMatches* const> mistakes);
+
+}  // namespace plumb

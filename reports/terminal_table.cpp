@@ -27,6 +27,30 @@ std::string points_text(const CaseResult& c) {
   return fmt::format("{:g}/{:g}", c.points, c.max_points);
 }
 
+/// The likeliest mistakes, at most three, with a pixel where each can be seen.
+std::string diagnosis_text(const ResultSet& results) {
+  std::string text;
+  if (!results.variant.empty() && results.variants.size() > 1)
+    text += "judged by the variant '" + results.variant + "'\n";
+  if (!results.diagnosis) return text;
+  const std::vector<Suspicion>& suspicions = results.diagnosis->suspicions;
+  if (suspicions.empty()) return text + "\nWhat is wrong: unknown, no known mistake draws such pictures.\n";
+  text += results.diagnosis->confident ? "\nWhat is wrong, most likely:\n" : "\nWhat may be wrong, the likeliest first:\n";
+  constexpr std::size_t kMost = 3;
+  for (std::size_t i = 0; i < std::min(kMost, suspicions.size()); ++i) {
+    const Suspicion& s = suspicions[i];
+    text += fmt::format("{}. {} (reproduces {:.0f} % of the wrong area", i + 1, harmless(s.name), 100 * s.explained);
+    text += s.missed >= 0.005 ? fmt::format("; {:.0f} % of where it would show is right)\n", 100 * s.missed) : ")\n";
+    if (!s.hint.empty()) text += "   " + harmless(s.hint) + "\n";
+    for (const DiagnosisPixel& p : s.pixels)
+      text += fmt::format("   {} ({},{}): expected {} {} {}, found {} {} {}, with this mistake {} {} {}\n", p.case_id, p.x,
+                          p.y, p.expected[0], p.expected[1], p.expected[2], p.found[0], p.found[1], p.found[2],
+                          p.suspected[0], p.suspected[1], p.suspected[2]);
+    if (results.diagnosis->confident) break;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string terminal_table(const ResultSet& results, const TableStyle& style) {
@@ -43,6 +67,7 @@ std::string terminal_table(const ResultSet& results, const TableStyle& style) {
   text += fmt::format("{:<{}}  {:<15}  {:>7}\n", "total", id_width, "",
                       fmt::format("{:g}/{:g}", totals.points, totals.max_points));
   if (totals.pending_points > 0) text += fmt::format("{:g} points wait for a person\n", totals.pending_points);
+  text += diagnosis_text(results);
   for (const std::string& note : results.notes) text += "note: " + harmless(note) + "\n";
   return text;
 }

@@ -68,7 +68,8 @@ Drawing draw(const fs::path& program, const SuiteCase& c, const fs::path& folder
 }
 
 Fingerprint fingerprint_of(const Mutant& mutant, const FingerprintRequest& request) {
-  Fingerprint result{.id = mutant.id, .name = mutant.name, .hint = mutant.hint, .step = mutant.step};
+  Fingerprint result;
+  result.id = mutant.id, result.name = mutant.name, result.hint = mutant.hint, result.step = mutant.step;
   const TemporaryFolder folder;
   for (const SuiteCase& c : request.cases) {
     if (interrupt_flag()) break;

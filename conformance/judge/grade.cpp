@@ -10,6 +10,7 @@
 
 #include "conformance/compare/judge_picture.h"
 #include "conformance/judge/build_submission.h"
+#include "conformance/judge/diagnose_results.h"
 #include "conformance/judge/run_case.h"
 #include "conformance/judge/run_growth_case.h"
 #include "conformance/judge/workspace.h"
@@ -91,6 +92,7 @@ class Grader {
     }
     keep_selected();
     settle_variant();
+    diagnose_results(suite_, results_, set_);
     results_.finish(set_);
     return std::move(set_);
   }

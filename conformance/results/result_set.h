@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/results/diagnosis_results.h"
 #include "conformance/results/growth_results.h"
 #include "conformance/sandbox/run_outcome.h"
 #include "conformance/verdict.h"
@@ -61,6 +62,8 @@ struct ResultSet {
   std::string plumb_version;
   /// Sentences about the submission as a whole: files left out, a configuration ignored.
   std::vector<std::string> notes;
+  /// Which known mistakes account for the wrong pictures; nothing where none is wrong or nothing is known of the suite.
+  std::optional<Diagnosis> diagnosis;
   /// In the suite's order.
   std::vector<CaseResult> cases;
 

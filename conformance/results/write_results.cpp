@@ -125,6 +125,26 @@ Json usage_json(const CaseResult& c) {
   return json;
 }
 
+std::string triple(const std::array<std::uint8_t, 3>& levels) {
+  return std::to_string(levels[0]) + " " + std::to_string(levels[1]) + " " + std::to_string(levels[2]);
+}
+
+Json suspicion_json(const Suspicion& s) {
+  Json json{{"id", s.id},           {"name", s.name},
+            {"hint", s.hint},       {"parts", s.parts},
+            {"or_one_of", s.or_one_of}, {"explained", number(s.explained)},
+            {"missed", number(s.missed)}, {"likeness", number(s.likeness)},
+            {"pixels", Json::array()}};
+  for (const DiagnosisPixel& p : s.pixels)
+    json["pixels"].push_back({{"case", p.case_id},
+                              {"x", p.x},
+                              {"y", p.y},
+                              {"expected", triple(p.expected)},
+                              {"found", triple(p.found)},
+                              {"suspected", triple(p.suspected)}});
+  return json;
+}
+
 Json results_json(const ResultSet& r) {
   const Totals totals = r.totals();
   Json json;
@@ -137,6 +157,11 @@ Json results_json(const ResultSet& r) {
                     {"max_points", number(totals.max_points)},
                     {"pending_points", number(totals.pending_points)}};
   json["notes"] = r.notes;
+  json["diagnosis"] = Json();
+  if (r.diagnosis) {
+    json["diagnosis"] = {{"confident", r.diagnosis->confident}, {"suspicions", Json::array()}};
+    for (const Suspicion& s : r.diagnosis->suspicions) json["diagnosis"]["suspicions"].push_back(suspicion_json(s));
+  }
   json["cases"] = Json::array();
   for (const CaseResult& c : r.cases) {
     json["cases"].push_back({{"id", c.id},

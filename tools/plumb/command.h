@@ -22,6 +22,7 @@ void add_corpus_command(CLI::App& app, Action& action);
 void add_oracle_command(CLI::App& app, Action& action);
 void add_grade_command(CLI::App& app, Action& action);
 void add_growth_command(CLI::App& app, Action& action);
+void add_suite_command(CLI::App& app, Action& action);
 void add_mesh_command(CLI::App& app, Action& action);
 void add_probe_command(CLI::App& app, Action& action);
 

@@ -3,6 +3,7 @@
 
 #include "tools/plumb/command.h"
 #include "tools/plumb/grading.h"
+#include "tools/plumb/ready_suite.h"
 
 namespace plumb {
 namespace {
@@ -17,7 +18,7 @@ struct Arguments {
 int run(const Arguments& arguments) {
   GradeRequest request;
   request.submission = arguments.submission;
-  request.suite = read_suite(arguments.suite);
+  request.suite = ready_suite(arguments.suite);
   request.out = arguments.out.empty() ? default_results(request.submission) : std::filesystem::path(arguments.out);
   request.filter = arguments.filter;
   return grade_and_report(std::move(request));
@@ -31,7 +32,7 @@ void add_grade_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("submission", a.submission, "The folder that was handed in")->required()->type_name("SUBMISSION");
-  command->add_option("--suite", a.suite, "The suite (docs/suite-format.md)")->required()->type_name("SUITE.toml");
+  command->add_option("--suite", a.suite, "The suite (docs/suite-format.md), or one that was built")->required()->type_name("SUITE");
   command->add_option("--out", a.out, "Where the results go [plumb-results/SUBMISSION]")->type_name("DIR");
   command->add_option("--filter", a.filter, "Only the cases whose id matches, and those they require")
       ->type_name("GLOB");

@@ -11,6 +11,7 @@
 #include "reports/calibration_text.h"
 #include "tools/plumb/command.h"
 #include "tools/plumb/grading.h"
+#include "tools/plumb/shipped.h"
 
 namespace plumb {
 namespace {
@@ -27,10 +28,7 @@ struct Arguments {
   int gates = 210;
 };
 
-/// Beside the program that runs: `../share/plumb/suites/growth.toml`.
-fs::path shipped_suite() {
-  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share/plumb/suites/growth.toml";
-}
+fs::path shipped_suite() { return shipped_folder() / "suites/growth.toml"; }
 
 /// The error rates of the gate itself, measured on programs of known growth.
 int calibrate(const Arguments& arguments) {

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   plumb::add_corpus_command(app, action);
   plumb::add_probe_command(app, action);
   plumb::add_growth_command(app, action);
+  plumb::add_suite_command(app, action);
   plumb::add_mesh_command(app, action);
   try {
     plumb::add_check_command(app, action, take_probe_command(argc, argv));

@@ -1,0 +1,14 @@
+#include "tools/plumb/shipped.h"
+
+namespace plumb {
+namespace {
+
+std::filesystem::path prefix() { return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path(); }
+
+}  // namespace
+
+std::filesystem::path shipped_folder() { return prefix() / "share/plumb"; }
+std::filesystem::path shipped_mutants() { return prefix() / "mutants"; }
+std::filesystem::path shipped_known_mistakes() { return shipped_folder() / "known-mistakes"; }
+
+}  // namespace plumb

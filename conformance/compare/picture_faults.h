@@ -36,7 +36,7 @@ struct FoundFault {
 };
 
 /// The least share that a fault has to explain to be named, but for a half-pixel shift. Of pictures of the course, each
-/// spoilt in 31 ways, the one that was there explained at least 0.80, any other at most 0.64 (docs/picture-metrics.md).
+/// spoilt in 27 ways, the one that was there explained at least 0.80, any other at most 0.64 (docs/picture-metrics.md).
 constexpr double kLeastExplained = 0.75;
 
 /// The fewest wrong pixels (blocks, of enlarged) that are evidence for anything. If a hypothesis made a wrong pixel right

@@ -1,15 +1,12 @@
 // A whole frame, from a mesh in a text file to a picture, by plumb and by POV-Ray with one thread: processor time of
 // the processes in turn, and how far the pictures are apart.
 #include <benchmark/benchmark.h>
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
+#include "bench/child_process.h"
 #include "bench/race/frame_scene.h"
 #include "bench/race/race_meshes.h"
 #include "bench/race/rows.h"
@@ -20,26 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a program in `folder` without its output; its processor time, of user and system.
-double cpu_seconds_of(std::vector<std::string> arguments, const fs::path& folder) {
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("cannot start a process");
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_RDWR);
-    for (const int stream : {0, 1, 2}) dup2(nowhere, stream);
-    if (chdir(folder.c_str()) == 0) execvp(pointers[0], pointers.data());
-    _exit(127);
-  }
-  int status = 0;
-  rusage usage{};
-  if (wait4(child, &status, 0, &usage) != child || status != 0) throw std::runtime_error(arguments[0] + " failed");
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+/// The processor time of a program that succeeds.
+double cpu_seconds_of(const std::vector<std::string>& arguments, const fs::path& folder) {
+  const ChildRun run = run_child(arguments, folder);
+  if (run.exit_status != 0) throw std::runtime_error(arguments[0] + " failed");
+  return run.cpu_seconds;
 }
 
 /// How many pixels have a level that is off by more than 8 of 255: silhouettes and shadows' edges, where rays of

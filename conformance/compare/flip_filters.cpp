@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "conformance/compare/flip_color.h"
@@ -77,8 +78,9 @@ class LinearLevels {
     for (std::size_t i = 0; i < of_whole_.size(); ++i) of_whole_[i] = linear_of(static_cast<float>(i));
   }
   float operator()(float level) const {
-    const auto whole = static_cast<std::size_t>(static_cast<int>(level));
-    return whole < of_whole_.size() && static_cast<float>(whole) == level ? of_whole_[whole] : linear_of(level);
+    const auto whole = static_cast<std::int32_t>(level);
+    if (static_cast<float>(whole) != level || whole < 0 || whole > 255) return linear_of(level);
+    return of_whole_[static_cast<std::size_t>(whole)];
   }
 
  private:
@@ -159,11 +161,13 @@ FlipTileFilter::FlipTileFilter(const Picture& picture, const FlipFilters& filter
 void FlipTileFilter::load_opponents(int x0, int y0, int columns, int rows) {
   std::vector<float> red(static_cast<std::size_t>(side_)), green(red), blue(red);
   static const LinearLevels linear;
+  std::vector<std::ptrdiff_t> places;  // of the samples in a line of the picture
+  for (int column = 0; column < columns + 2 * filters_.radius; ++column)
+    places.push_back(3 * std::clamp(x0 + column - filters_.radius, 0, picture_.width - 1));
   for (int row = 0; row < rows + 2 * filters_.radius; ++row) {
     const float* const line = picture_.pixel(0, std::clamp(y0 + row - filters_.radius, 0, picture_.height - 1));
-    for (int column = 0; column < columns + 2 * filters_.radius; ++column) {
-      const float* const p = line + 3 * std::clamp(x0 + column - filters_.radius, 0, picture_.width - 1);
-      const auto i = static_cast<std::size_t>(column);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const float* const p = line + places[i];
       red[i] = linear(p[0]);
       green[i] = linear(p[1]);
       blue[i] = linear(p[2]);

@@ -90,5 +90,20 @@ TEST(HeatMap, LinearPicturesCountIn255ths) {
   EXPECT_EQ(heat_map(reference, other), levels({255, 255, 255, 25, 25, 25, 255, 255, 255}));
 }
 
+TEST(FlipMap, GetsBrighterWithTheError) {
+  FlipErrors errors{101, 1, {}, 0, 0, 0};
+  for (int i = 0; i <= 100; ++i) errors.error.push_back(static_cast<float>(i) / 100);
+  const std::vector<std::uint8_t> map = flip_map(errors);
+  ASSERT_EQ(map.size(), 303U);
+  const auto luminance = [&](std::size_t i) {
+    return 0.2126 * map[3 * i] + 0.7152 * map[3 * i + 1] + 0.0722 * map[3 * i + 2];
+  };
+  EXPECT_EQ(luminance(0), 0);
+  for (std::size_t i = 1; i <= 100; ++i) EXPECT_GT(luminance(i), luminance(i - 1)) << i;
+  EXPECT_EQ(map[300], 255);
+  EXPECT_EQ(map[301], 250);
+  EXPECT_EQ(map[302], 190);
+}
+
 }  // namespace
 }  // namespace plumb

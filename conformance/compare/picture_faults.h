@@ -36,13 +36,13 @@ struct FoundFault {
 };
 
 /// The least share that a fault has to explain to be named, but for a half-pixel shift. Of pictures of the course, each
-/// spoilt in 31 ways, the one that was there explained at least 0.80, any other at most 0.64 (docs/picture-metrics.md).
+/// spoilt in 27 ways, the one that was there explained at least 0.80, any other at most 0.64 (docs/picture-metrics.md).
 constexpr double kLeastExplained = 0.75;
 
-/// The fewest wrong pixels (blocks, of enlarged) that are evidence for anything. If a hypothesis made a wrong pixel right
-/// by chance every other time, it would do so for three quarters of 32 with probability 0.0035, and one of the 60
-/// hypotheses in less than one picture of four. In truth chance is far less kind, and what a hypothesis makes wrong counts
-/// against it.
+/// The fewest wrong pixels (blocks, of enlarged) that are evidence for anything. If a hypothesis made a wrong pixel
+/// right by chance every other time, it would do so for three quarters of 32 with probability 0.0035, and one of the 60
+/// hypotheses in less than one picture of four. In truth chance is far less kind, and what a hypothesis makes wrong
+/// counts against it.
 constexpr int kLeastWrongPixels = 32;
 
 /// The faults that clearly explain a wrong picture, the best first; empty is an answer. Two of them may fit as well,

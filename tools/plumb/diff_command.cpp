@@ -7,8 +7,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "conformance/compare/flip.h"
 #include "conformance/compare/heat_map.h"
 #include "conformance/compare/judge_picture.h"
+#include "conformance/compare/picture_faults.h"
+#include "conformance/compare/wrong_regions.h"
 #include "renderer/image/picture_header.h"
 #include "renderer/image/read_picture.h"
 #include "renderer/image/write_image.h"
@@ -24,25 +27,88 @@ struct Arguments {
   std::string reference;
   double tolerance = 0;
   std::string out;
+  std::string flip;
   bool json = false;
 };
 
+/// What else is said of two pictures in 8-bit levels that differ.
+struct Explanation {
+  std::optional<FlipErrors> flip;
+  WrongRegions regions;
+  std::vector<FoundFault> faults;
+};
+
+Explanation explain(const Picture& reference, const PictureJudgement& judgement, const Arguments& arguments) {
+  Explanation explanation;
+  if (reference.is_linear()) return explanation;
+  if (judgement.difference && judgement.difference->max > 0) {
+    explanation.flip = flip(reference, *judgement.picture);
+    explanation.regions = wrong_regions(wrong_pixels(reference, *judgement.picture, arguments.tolerance));
+    explanation.faults = picture_faults(reference, *judgement.picture, arguments.tolerance);
+  } else if (judgement.result.cause == "wrong_size") {
+    // Decoded only where the sides are exchanged, so that no picture takes more memory than the reference.
+    const PictureHeader header = read_picture_header(arguments.picture);
+    if (header.width != reference.height || header.height != reference.width) return explanation;
+    try {
+      explanation.faults = picture_faults(reference, read_picture(arguments.picture), arguments.tolerance);
+    } catch (const BadPicture&) {
+      // It is wrong already; what is in it will not be known.
+    }
+  }
+  return explanation;
+}
+
 constexpr std::array<const char*, 3> kChannels{"red", "green", "blue"};
 
-void print_text(const PictureJudgement& judgement, const Arguments& arguments) {
+void print_explanation(const Explanation& explanation) {
+  if (explanation.flip) {
+    const FlipErrors& flip = *explanation.flip;
+    fmt::print("  FLIP: mean {:.6f}, p99 {:.6f}, max {:.6f}\n", flip.mean, flip.p99, flip.max);
+  }
+  if (explanation.regions.wrong > 0) {
+    const auto& [wrong, blobs, blob, window] = explanation.regions;
+    fmt::print("  wrong pixels: {} {}, the largest of {} within {}x{} at ({},{}); most in {}x{} at ({},{}): {}\n",
+               blobs, blobs == 1 ? "blob" : "blobs", blob.wrong, blob.width, blob.height, blob.x, blob.y, window.width,
+               window.height, window.x, window.y, window.wrong);
+  }
+  for (const FoundFault& fault : explanation.faults)
+    fmt::print("  {}: {} (explains {:.0f} %)\n", to_string(fault.fault), fault.sentence, 100 * fault.explained);
+}
+
+void print_text(const PictureJudgement& judgement, const Explanation& explanation, const Arguments& arguments) {
   const CheckResult& result = judgement.result;
   fmt::print("{}: {}\n", is_right(result.verdict) ? "same" : "different", result.summary);
   if (!result.advice.empty()) fmt::print("  {}\n", result.advice);
-  if (!judgement.difference) return;
+  if (!judgement.difference) return print_explanation(explanation);
   fmt::print("  {:<8}{:>12}{:>12}{:>12}{:>16}\n", "channel", "max", "mean", "rms",
              fmt::format("share > {:g}", arguments.tolerance));
   for (std::size_t c = 0; c < 3; ++c) {
     const ChannelDifference& d = judgement.difference->channels[c];
     fmt::print("  {:<8}{:>12.6g}{:>12.6g}{:>12.6g}{:>16.6g}\n", kChannels[c], d.max, d.mean, d.rms, d.share_past);
   }
+  print_explanation(explanation);
 }
 
-void print_json(const PictureJudgement& judgement, const Arguments& arguments) {
+nlohmann::ordered_json to_json(const WrongRegion& region) {
+  return {
+      {"x", region.x}, {"y", region.y}, {"width", region.width}, {"height", region.height}, {"wrong", region.wrong}};
+}
+
+void add_explanation(const Explanation& explanation, nlohmann::ordered_json& json) {
+  if (explanation.flip) {
+    json["flip"] = {{"mean", explanation.flip->mean}, {"p99", explanation.flip->p99}, {"max", explanation.flip->max}};
+    json["blobs"] = explanation.regions.blobs;
+  }
+  if (explanation.regions.wrong > 0) {
+    json["largest_blob"] = to_json(explanation.regions.largest_blob);
+    json["densest_window"] = to_json(explanation.regions.densest_window);
+  }
+  for (const FoundFault& fault : explanation.faults)
+    json["faults"].push_back(
+        {{"name", to_string(fault.fault)}, {"sentence", fault.sentence}, {"explained", fault.explained}});
+}
+
+void print_json(const PictureJudgement& judgement, const Explanation& explanation, const Arguments& arguments) {
   const CheckResult& result = judgement.result;
   nlohmann::ordered_json json{
       {"schema", 1},
@@ -65,6 +131,7 @@ void print_json(const PictureJudgement& judgement, const Arguments& arguments) {
                                         {"share_past_tolerance", channel.share_past}};
     }
   }
+  add_explanation(explanation, json);
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
@@ -93,21 +160,39 @@ std::string parse_tolerance(const std::string& text) {
   return good ? "" : "'" + text + "' is no tolerance, expected a number of at least 0";
 }
 
+/// Before any work: a map that could not be written.
+void require_map_writable(const std::string& file, const char* what) {
+  if (file.empty()) return;
+  if (!equal_ignoring_case(std::filesystem::path(file).extension().string(), ".png"))
+    throw InputError({file}, fmt::format("the {} is a PNG picture, expected a name that ends in .png", what));
+  require_image_writable(file);
+}
+
+void write_maps(const Picture& reference, const PictureJudgement& judgement, const Explanation& explanation,
+                const Arguments& arguments) {
+  const int width = reference.width, height = reference.height;
+  if (!arguments.out.empty()) write_png(heat_map(reference, *judgement.picture), width, height, arguments.out);
+  if (arguments.flip.empty()) return;
+  const FlipErrors errors = explanation.flip ? *explanation.flip : flip(reference, *judgement.picture);
+  write_png(flip_map(errors), width, height, arguments.flip);
+}
+
 int run(const Arguments& arguments) {
-  if (!arguments.out.empty() && !equal_ignoring_case(std::filesystem::path(arguments.out).extension().string(), ".png"))
-    throw InputError({arguments.out}, "the heat map is a PNG picture, expected a name that ends in .png");
-  if (!arguments.out.empty()) require_image_writable(arguments.out);
+  require_map_writable(arguments.out, "heat map");
+  require_map_writable(arguments.flip, "map of FLIP");
   PictureJudgement judgement;
+  Explanation explanation;
   if (auto bad_reference = judge_reference(arguments.reference)) {
     judgement = std::move(*bad_reference);
   } else {
     const Picture reference = read_reference(arguments.reference);
+    if (!arguments.flip.empty() && reference.is_linear())
+      throw InputError({arguments.reference}, "FLIP is defined for 8-bit levels, expected PNG or PPM with --flip");
     judgement = judge_picture(arguments.picture, reference, arguments.tolerance);
-    if (!arguments.out.empty() && judgement.difference) {
-      write_png(heat_map(reference, *judgement.picture), reference.width, reference.height, arguments.out);
-    }
+    explanation = explain(reference, judgement, arguments);
+    if (judgement.difference) write_maps(reference, judgement, explanation, arguments);
   }
-  arguments.json ? print_json(judgement, arguments) : print_text(judgement, arguments);
+  arguments.json ? print_json(judgement, explanation, arguments) : print_text(judgement, explanation, arguments);
   return exit_status({&judgement.result.verdict, 1});
 }
 
@@ -129,6 +214,8 @@ void add_diff_command(CLI::App& app, Action& action) {
       ->check(not_negative)
       ->capture_default_str();
   command->add_option("--out", a.out, "Write an amplified heat map of the difference")->type_name("FILE.png");
+  command->add_option("--flip", a.flip, "Write a map of how visible the difference is (PNG and PPM)")
+      ->type_name("FILE.png");
   command->add_flag("--json", a.json, "Print the result as JSON");
   command->callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }

@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 std::string content(const fs::path& file) {
@@ -125,6 +126,9 @@ TEST_F(DiffCommandTest, WhatCannotBeComparedIsAUsageError) {
       {"a.png b.png --out heat.txt", "expected a name that ends in .png"},
       {"b.exr a.exr --out heat.exr", "expected a name that ends in .png"},
       {"a.png b.png --out gone/heat.png", "does not exist"},
+      {"a.png b.png --flip flip.jpg", "expected a name that ends in .png"},
+      {"a.png b.png --flip gone/flip.png", "does not exist"},
+      {"b.exr a.exr --flip flip.png", "a.exr: FLIP is defined for 8-bit levels"},
   };
   for (const auto& row : table) {
     EXPECT_EQ(diff(row.arguments), 2) << row.arguments << "\n" << said_;
@@ -172,6 +176,65 @@ TEST_F(DiffCommandTest, TheHeatMapShowsWhere) {
   EXPECT_EQ(heat.pixel(0, 0)[0], heat.pixel(0, 0)[2]) << "equal pixels have no colour";
   EXPECT_GT(heat.pixel(1, 0)[0], 100);
   EXPECT_EQ(diff("text.png a.png --out none.png"), 1);
+  EXPECT_FALSE(fs::exists(folder_ / "none.png"));
+}
+
+TEST_F(DiffCommandTest, WhatIsSeenAndWhereIsAdded) {
+  EXPECT_EQ(diff("b.png a.png"), 1);
+  EXPECT_THAT(said_, HasSubstr("\n  FLIP: mean 0.0"));
+  EXPECT_THAT(said_,
+              HasSubstr("\n  wrong pixels: 1 blob, the largest of 1 within 1x1 at (1,0); most in 2x1 at (0,0): 1"));
+  EXPECT_EQ(diff("b.png a.png --tolerance 3"), 0);
+  EXPECT_THAT(said_, HasSubstr("FLIP: "));
+  EXPECT_THAT(said_, Not(HasSubstr("wrong pixels")));
+  for (const char* arguments : {"a.png a.png", "b.exr a.exr", "narrow.png a.png", "text.png a.png"}) {
+    diff(arguments);
+    EXPECT_THAT(said_, Not(HasSubstr("FLIP"))) << arguments;
+    EXPECT_THAT(said_, Not(HasSubstr("explains"))) << arguments;
+  }
+  EXPECT_EQ(diff("b.png a.png --json"), 1);
+  const nlohmann::json json = nlohmann::json::parse(said_);
+  EXPECT_GT(json["flip"]["mean"], 0);
+  EXPECT_GE(json["flip"]["max"], json["flip"]["p99"]);
+  EXPECT_EQ(json["blobs"], 1);
+  EXPECT_EQ(json["largest_blob"], nlohmann::json::parse(R"({"x":1,"y":0,"width":1,"height":1,"wrong":1})"));
+  EXPECT_EQ(json["densest_window"]["wrong"], 1);
+  EXPECT_FALSE(json.contains("faults"));
+}
+
+TEST_F(DiffCommandTest, ASimpleMistakeIsNamed) {
+  const auto spot = [](int x, int y) { return static_cast<std::uint8_t>((x * x + 3 * y) % 251); };
+  std::vector<std::uint8_t> straight, mirrored, transposed;
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      straight.insert(straight.end(), 3, spot(x, y));
+      mirrored.insert(mirrored.end(), 3, spot(15 - x, y));
+    }
+  }
+  for (int x = 0; x < 16; ++x)
+    for (int y = 0; y < 8; ++y) transposed.insert(transposed.end(), 3, spot(x, y));
+  write_png(straight, 16, 8, folder_ / "straight.png");
+  write_png(mirrored, 16, 8, folder_ / "mirrored.png");
+  write_png(transposed, 8, 16, folder_ / "transposed.png");
+  EXPECT_EQ(diff("mirrored.png straight.png"), 1);
+  EXPECT_THAT(said_,
+              HasSubstr("\n  flip-left-right: the picture is mirrored: left and right are exchanged (explains 100 %)"));
+  EXPECT_EQ(diff("mirrored.png straight.png --json"), 1);
+  EXPECT_EQ(nlohmann::json::parse(said_)["faults"][0]["name"], "flip-left-right");
+  EXPECT_EQ(diff("transposed.png straight.png"), 1);
+  EXPECT_THAT(said_, StartsWith("different: the picture is 8x16, expected 16x8"));
+  EXPECT_THAT(said_, HasSubstr("\n  transposition: "));
+  write("cut-transposed.png", content(folder_ / "transposed.png").substr(0, 80));
+  EXPECT_EQ(diff("cut-transposed.png straight.png"), 1);
+  EXPECT_THAT(said_, Not(HasSubstr("transposition")));
+}
+
+TEST_F(DiffCommandTest, TheMapOfFlipIsBlackWhereNothingIsSeen) {
+  EXPECT_EQ(diff("b.png a.png --flip flip.png"), 1);
+  EXPECT_GT(read_picture(folder_ / "flip.png").pixel(1, 0)[0], 0);
+  EXPECT_EQ(diff("a.png a.png --flip same.png"), 0);
+  EXPECT_THAT(read_picture(folder_ / "same.png").samples, testing::Each(0.0F));
+  EXPECT_EQ(diff("text.png a.png --flip none.png"), 1);
   EXPECT_FALSE(fs::exists(folder_ / "none.png"));
 }
 

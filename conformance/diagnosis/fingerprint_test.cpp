@@ -1,0 +1,95 @@
+#include "conformance/diagnosis/fingerprint.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "renderer/math/input_error.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+class FingerprintFiles : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string bytes(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  static std::string message(const fs::path& folder) {
+    try {
+      read_fingerprint(folder);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  const Fingerprint fingerprint_{
+      "rows-lost",
+      "Rows are lost",
+      "Look at the last row.",
+      "camera",
+      {"one", "two"},
+      {{"sphere", StoredPicture({1, 2, 3, 4, 5, 6}, 2, 1)}, {"glass", StoredPicture({9, 8, 7}, 1, 1)}},
+      {"mesh"}};
+  const fs::path folder_ = fs::temp_directory_path() / ("plumb-fingerprints-" + std::to_string(::getpid()));
+};
+
+TEST_F(FingerprintFiles, AreReadAsTheyWereWritten) {
+  write_fingerprint(fingerprint_, folder_ / "rows-lost");
+  const std::vector<Fingerprint> all = read_fingerprints(folder_);
+  ASSERT_THAT(all, SizeIs(1));
+  EXPECT_EQ(all[0].id, fingerprint_.id);
+  EXPECT_EQ(all[0].name, fingerprint_.name);
+  EXPECT_EQ(all[0].hint, fingerprint_.hint);
+  EXPECT_EQ(all[0].step, fingerprint_.step);
+  EXPECT_EQ(all[0].parts, fingerprint_.parts);
+  EXPECT_EQ(all[0].no_picture, fingerprint_.no_picture);
+  ASSERT_THAT(all[0].pictures, SizeIs(2));
+  EXPECT_EQ(all[0].pictures.at("sphere").levels(2, 1), (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(all[0].pictures.at("glass").levels(1, 1), (std::vector<std::uint8_t>{9, 8, 7}));
+}
+
+TEST_F(FingerprintFiles, HaveTheSameBytesForTheSameFingerprint) {
+  write_fingerprint(fingerprint_, folder_ / "rows-lost");
+  const Fingerprint read = read_fingerprint(folder_ / "rows-lost");
+  write_fingerprint(read, folder_ / "again");
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(folder_ / "rows-lost")) {
+    EXPECT_EQ(bytes(entry.path()), bytes(folder_ / "again" / entry.path().filename())) << entry.path();
+    ++files;
+  }
+  EXPECT_EQ(files, 3);
+}
+
+TEST_F(FingerprintFiles, AreRefusedWhereTheyCannotBeUsed) {
+  EXPECT_THAT(message(folder_ / "nothing"), HasSubstr("mistake.json: cannot be opened"));
+  write_fingerprint(fingerprint_, folder_ / "rows-lost");
+  std::ofstream(folder_ / "rows-lost" / "mistake.json") << "{";
+  EXPECT_THAT(message(folder_ / "rows-lost"), HasSubstr("is no JSON"));
+  std::ofstream(folder_ / "rows-lost" / "mistake.json") << R"({"schema": 2})";
+  EXPECT_THAT(message(folder_ / "rows-lost"), HasSubstr("has the schema 2, expected 1"));
+  std::ofstream(folder_ / "rows-lost" / "mistake.json") << R"({"schema": 1, "name": 3})";
+  EXPECT_THAT(message(folder_ / "rows-lost"), HasSubstr("is no description of a known mistake"));
+}
+
+TEST_F(FingerprintFiles, PicturesOfAnotherSizeAreRefused) {
+  write_fingerprint(fingerprint_, folder_ / "rows-lost");
+  const StoredPicture picture(folder_ / "rows-lost" / "sphere.png");
+  EXPECT_THROW(picture.levels(1, 2), InputError);
+  EXPECT_THROW(StoredPicture(folder_ / "rows-lost" / "missing.png").levels(1, 2), InputError);
+}
+
+TEST_F(FingerprintFiles, NoFolderHoldsNone) { EXPECT_THAT(read_fingerprints(folder_ / "nothing"), SizeIs(0)); }
+
+}  // namespace
+}  // namespace plumb

@@ -56,7 +56,7 @@ TEST(Envelope, IsTheSameAfterWritingAndReading) {
   e.guessed = true;
   write_envelope(e, folder);
   EXPECT_EQ(read_envelope(folder), e);
-  EXPECT_DOUBLE_EQ(e.undecidable_share(), 0.01);
+  EXPECT_NEAR(e.undecidable_share(), 0.01, 1e-15);
   e.guessed = false;
   write_envelope(e, folder);
   EXPECT_EQ(read_envelope(folder), e);

@@ -39,6 +39,13 @@ class SuiteBuilder {
       : request_(request), suite_(read_suite(request.suite)), table_(read_toml(request.suite)) {
     root_ = request.out.string() + ".partial";
   }
+  /// What was not finished is not kept.
+  ~SuiteBuilder() {
+    std::error_code ignored;
+    fs::remove_all(root_, ignored);
+  }
+  SuiteBuilder(const SuiteBuilder&) = delete;
+  SuiteBuilder& operator=(const SuiteBuilder&) = delete;
 
   BuiltSuite build() {
     require_replaceable_suite(request_.out);

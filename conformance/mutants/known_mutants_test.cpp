@@ -39,18 +39,29 @@ TEST(KnownMutants, EveryStepOfTheAssignmentHasSome) {
   EXPECT_EQ(seen, std::set<std::string_view>(mutant_steps().begin(), mutant_steps().end()));
 }
 
-TEST(KnownMutants, WhatMustCatchThemExists) {
-  std::set<std::string> known;
-  for (const CheckKind* check : check_kinds()) known.insert("check:" + std::string(check->id));
+/// The ids of the suite's tables of that name.
+std::set<std::string> ids_of(std::string_view tables) {
   const fs::path suite = kRoot / "suites/pa3.toml";
   const toml::table table = read_toml(suite);
-  for (const toml::table* each : TomlFields(table, suite, "the suite").tables("case"))
-    known.insert(each->at_path("id").value_or(std::string()));
-  EXPECT_TRUE(known.contains("sphere"));
+  std::set<std::string> ids;
+  for (const toml::table* each : TomlFields(table, suite, "the suite").tables(tables))
+    ids.insert(each->at_path("id").value_or(std::string()));
+  return ids;
+}
+
+TEST(KnownMutants, WhatMustCatchOrAcceptThemExists) {
+  std::set<std::string> known = ids_of("case");
+  EXPECT_THAT(known, testing::Contains("sphere"));
+  for (const CheckKind* check : check_kinds()) known.insert("check:" + std::string(check->id));
+  const std::set<std::string> variants = ids_of("variant");
   int names = 0;
   for (const Mutant& mutant : read_mutants(kKnown)) {
     for (const std::string& name : mutant.caught_by) {
-      EXPECT_THAT(known, testing::Contains(name)) << mutant.id;
+      EXPECT_TRUE(known.contains(name)) << mutant.id << " is caught by " << name;
+      ++names;
+    }
+    if (!mutant.accepted.empty()) {
+      EXPECT_TRUE(variants.contains(mutant.accepted)) << mutant.id << " is " << mutant.accepted;
       ++names;
     }
   }

@@ -49,6 +49,7 @@ class SuiteBuilder {
 
   BuiltSuite build() {
     require_replaceable_suite(request_.out);
+    if (!request_.mutants.empty()) require_mutants(request_.mutants, request_.known_mistakes);
     fs::remove_all(root_);
     fs::create_directories(root_);
     keep_overlay();

@@ -1,16 +1,30 @@
 #include "conformance/judge/diagnose_results.h"
 
 #include <algorithm>
+#include <cctype>
 #include <deque>
+#include <map>
 
 #include "conformance/compare/judge_picture.h"
+#include "conformance/compare/picture_faults.h"
 #include "conformance/diagnosis/diagnose.h"
 #include "conformance/envelopes/envelope.h"
+#include "conformance/envelopes/judge_envelope.h"
 
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A fault of whole pictures is listed where it explains more than it leaves open.
+constexpr double kLeastFinding = 0.5;
+
+Picture picture_of(std::span<const std::uint8_t> levels, const Envelope& envelope) {
+  Picture picture;
+  picture.width = envelope.width, picture.height = envelope.height;
+  picture.samples.assign(levels.begin(), levels.end());
+  return picture;
+}
 
 /// The picture that the program wrote, where it has the right size and is finite; empty otherwise.
 std::vector<std::uint8_t> levels_of_case(const CaseResult& result, const Envelope& envelope, const fs::path& folder) {
@@ -25,6 +39,32 @@ std::vector<std::uint8_t> levels_of_case(const CaseResult& result, const Envelop
     return levels;
   }
   return {};
+}
+
+/// What whole pictures show (mirrored, shifted, without gamma): a suspicion where it explains most of the wrong cases.
+/// `missed` stays 0: such a mistake shows in every case, also where a symmetric scene hides it.
+std::vector<Suspicion> whole_picture_findings(const std::vector<DiagnosisCase>& cases) {
+  std::map<PictureFault, Suspicion> found;
+  double wrong_cases = 0;
+  for (const DiagnosisCase& c : cases) {
+    if (c.levels.empty()) continue;
+    const Picture nominal = picture_of(c.envelope->nominal, *c.envelope), picture = picture_of(c.levels, *c.envelope);
+    if (compare_with_envelope(picture, *c.envelope, c.tolerance).wrong_pixels() == 0) continue;
+    ++wrong_cases;
+    for (const FoundFault& fault : picture_faults(nominal, picture, c.tolerance)) {
+      Suspicion& s = found[fault.fault];
+      s.id = "picture:" + to_string(fault.fault);
+      s.name = fault.sentence;
+      s.likeness += fault.explained;
+    }
+  }
+  std::vector<Suspicion> findings;
+  for (auto& [fault, s] : found) {
+    s.likeness = s.explained = s.likeness / wrong_cases;
+    s.name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(s.name[0])));
+    if (s.likeness >= kLeastFinding) findings.push_back(s);
+  }
+  return findings;
 }
 
 }  // namespace
@@ -50,7 +90,10 @@ void diagnose_results(const Suite& suite, const ResultFolder& folder, ResultSet&
                      .tolerance = static_cast<int>(c->tolerance),
                      .levels = pictures.back()});
   }
-  results.diagnosis = diagnose(cases, read_fingerprints(suite.fingerprints));
+  const std::vector<Fingerprint> fingerprints = read_fingerprints(suite.fingerprints);
+  results.diagnosis = diagnose(cases, fingerprints);
+  // What a picture shows as a whole is mostly a known mistake too, and then need not be said twice.
+  if (!results.diagnosis->confident) results.diagnosis = diagnose(cases, fingerprints, whole_picture_findings(cases));
 }
 
 }  // namespace plumb

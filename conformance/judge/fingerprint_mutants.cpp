@@ -2,10 +2,9 @@
 
 #include <stdlib.h>
 
-#include <atomic>
 #include <cerrno>
-#include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 
 #include "conformance/compare/judge_picture.h"
@@ -13,7 +12,6 @@
 #include "conformance/envelopes/judge_envelope.h"
 #include "conformance/mutants/mutant.h"
 #include "conformance/sandbox/run_process.h"
-#include "renderer/film/tiles.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
@@ -50,7 +48,7 @@ struct Drawing {
 Drawing draw(const fs::path& program, const SuiteCase& c, const fs::path& folder) {
   const fs::path file = folder / "picture.png";
   ProcessRequest request;
-  request.arguments = {program.string(), "render", c.scene.string(), "-o", file.string(), "--threads", "1"};
+  request.arguments = {program.string(), "render", c.scene.string(), "-o", file.string()};
   request.folder = folder;
   request.writable_folder = folder;
   request.limits = {.cpu_seconds = c.cpu_seconds,
@@ -88,23 +86,25 @@ Fingerprint fingerprint_of(const Mutant& mutant, const FingerprintRequest& reque
 
 }  // namespace
 
-int fingerprint_mutants(const FingerprintRequest& request) {
-  const std::vector<Mutant> mutants = read_mutants(request.known_mistakes);
-  for (const Mutant& m : mutants)
-    if (!fs::is_regular_file(request.programs / m.id))
-      throw InputError({(request.programs / m.id).string()},
+void require_mutants(const fs::path& programs, const fs::path& known_mistakes) {
+  for (const Mutant& m : read_mutants(known_mistakes))
+    if (!fs::is_regular_file(programs / m.id))
+      throw InputError({(programs / m.id).string()},
                        "this program with a known mistake does not exist, expected what './dev mutants' builds");
-  std::mutex mutex;
-  int showing = 0, done = 0;
-  for_each_item(thread_count(0), static_cast<int>(mutants.size()), [&](int, int item) {
-    const Mutant& mutant = mutants[static_cast<std::size_t>(item)];
-    const Fingerprint fingerprint = fingerprint_of(mutant, request);
-    const std::lock_guard lock(mutex);
-    const bool shows = !fingerprint.pictures.empty() || !fingerprint.no_picture.empty();
-    if (shows) write_fingerprint(fingerprint, request.out / mutant.id);
-    showing += shows;
-    request.progress("known mistakes", ++done / static_cast<double>(mutants.size()));
-  });
+}
+
+int fingerprint_mutants(const FingerprintRequest& request) {
+  require_mutants(request.programs, request.known_mistakes);
+  const std::vector<Mutant> mutants = read_mutants(request.known_mistakes);
+  int showing = 0;
+  for (std::size_t i = 0; i < mutants.size() && !interrupt_flag(); ++i) {
+    request.progress("known mistakes", static_cast<double>(i) / static_cast<double>(mutants.size()));
+    const Fingerprint fingerprint = fingerprint_of(mutants[i], request);
+    if (fingerprint.pictures.empty() && fingerprint.no_picture.empty()) continue;
+    write_fingerprint(fingerprint, request.out / mutants[i].id);
+    ++showing;
+  }
+  if (interrupt_flag()) throw std::runtime_error("interrupted");
   return showing;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "conformance/compare/flip.h"
 #include "conformance/compare/heat_map.h"
 #include "conformance/compare/judge_picture.h"
 #include "conformance/envelopes/envelope.h"
@@ -95,6 +96,17 @@ void write_wrong_pixels(const Picture& reference, Picture picture, const PixelMa
   write_png(heat_map(reference, picture), reference.width, reference.height, file);
 }
 
+/// For people: how visible the difference is, and where most of it lies. They decide nothing.
+void add_metrics(const Picture& nominal, const Picture& picture, const WrongRegions& regions, CheckResult& result) {
+  const FlipErrors errors = flip(nominal, picture);
+  const WrongRegion& window = regions.densest_window;
+  result.evidence.insert(result.evidence.end(), {{"flip_mean", errors.mean},
+                                                 {"flip_p99", errors.p99},
+                                                 {"densest_window_x", std::int64_t{window.x}},
+                                                 {"densest_window_y", std::int64_t{window.y}},
+                                                 {"densest_window_wrong", window.wrong}});
+}
+
 void judge_by_envelopes(const ImageCheckInput& input, const fs::path& file, const Picture& reference,
                         ImageCheck& check) {
   const SuiteCase& c = input.suite_case;
@@ -112,11 +124,14 @@ void judge_by_envelopes(const ImageCheckInput& input, const fs::path& file, cons
     const Envelope envelope = read_envelope(c.envelopes[v]);
     EnvelopeFindings findings = compare_with_envelope(*opened.picture, envelope, c.tolerance);
     check.by_variant.push_back(judge_findings(findings, *opened.picture, envelope, c.tolerance));
+    Picture nominal = reference;
+    nominal.samples.assign(envelope.nominal.begin(), envelope.nominal.end());
+    if (!is_right(check.by_variant.back().verdict))
+      add_metrics(nominal, *opened.picture, findings.regions, check.by_variant.back());
     if (!best || findings.wrong_pixels() < best->wrong_pixels()) {
       check.result = check.by_variant.back();
       best = std::move(findings);
-      best_reference = reference;
-      best_reference.samples.assign(envelope.nominal.begin(), envelope.nominal.end());
+      best_reference = std::move(nominal);
     }
   }
   if (best->wrong_pixels() > 0)

@@ -2,9 +2,7 @@
 
 #include <stdlib.h>
 
-#include <atomic>
 #include <cerrno>
-#include <mutex>
 #include <optional>
 #include <system_error>
 
@@ -13,7 +11,6 @@
 #include "conformance/envelopes/judge_envelope.h"
 #include "conformance/mutants/mutant.h"
 #include "conformance/sandbox/run_process.h"
-#include "renderer/film/tiles.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
@@ -50,7 +47,7 @@ struct Drawing {
 Drawing draw(const fs::path& program, const SuiteCase& c, const fs::path& folder) {
   const fs::path file = folder / "picture.png";
   ProcessRequest request;
-  request.arguments = {program.string(), "render", c.scene.string(), "-o", file.string(), "--threads", "1"};
+  request.arguments = {program.string(), "render", c.scene.string(), "-o", file.string()};
   request.folder = folder;
   request.writable_folder = folder;
   request.limits = {.cpu_seconds = c.cpu_seconds,
@@ -94,17 +91,15 @@ int fingerprint_mutants(const FingerprintRequest& request) {
     if (!fs::is_regular_file(request.programs / m.id))
       throw InputError({(request.programs / m.id).string()},
                        "this program with a known mistake does not exist, expected what './dev mutants' builds");
-  std::mutex mutex;
+  // One after the other: a process can watch over a single run at a time.
   int showing = 0, done = 0;
-  for_each_item(thread_count(0), static_cast<int>(mutants.size()), [&](int, int item) {
-    const Mutant& mutant = mutants[static_cast<std::size_t>(item)];
+  for (const Mutant& mutant : mutants) {
     const Fingerprint fingerprint = fingerprint_of(mutant, request);
-    const std::lock_guard lock(mutex);
     const bool shows = !fingerprint.pictures.empty() || !fingerprint.no_picture.empty();
     if (shows) write_fingerprint(fingerprint, request.out / mutant.id);
     showing += shows;
     request.progress("known mistakes", ++done / static_cast<double>(mutants.size()));
-  });
+  }
   return showing;
 }
 

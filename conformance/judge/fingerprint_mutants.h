@@ -20,8 +20,8 @@ struct FingerprintRequest {
   std::function<void(const std::string&, double)> progress;
 };
 
-/// Has every case drawn by every program with a known mistake, as many at a time as there are processors, and keeps the
-/// pictures that lie outside of the first variant's envelope: fingerprints, by which a wrong submission is recognised.
+/// Has every case drawn by every program with a known mistake, and keeps the pictures that lie outside of the first
+/// variant's envelope: fingerprints, by which a wrong submission is recognised.
 /// Returns how many mistakes show somewhere. Throws InputError if a program is missing.
 int fingerprint_mutants(const FingerprintRequest& request);
 

@@ -45,7 +45,15 @@ struct Drawing {
   std::optional<Picture> wrong;
 };
 
-Drawing draw(const fs::path& program, const SuiteCase& c, const fs::path& folder) {
+/// A case with its envelope, read once for all programs.
+struct ReadCase {
+  const SuiteCase& of;
+  Picture reference;
+  Envelope envelope;
+};
+
+Drawing draw(const fs::path& program, const ReadCase& read, const fs::path& folder) {
+  const SuiteCase& c = read.of;
   const fs::path file = folder / "picture.png";
   ProcessRequest request;
   request.arguments = {program.string(), "render", c.scene.string(), "-o", file.string()};
@@ -58,27 +66,27 @@ Drawing draw(const fs::path& program, const SuiteCase& c, const fs::path& folder
   fs::remove(file);
   run_process(request);
   if (!fs::is_regular_file(file)) return {};
-  PictureJudgement opened = open_picture(file, read_reference(c.reference));
+  PictureJudgement opened = open_picture(file, read.reference);
   if (opened.result.verdict != Verdict::pass) return {};
-  const Envelope envelope = read_envelope(c.envelopes.front());
-  if (compare_with_envelope(*opened.picture, envelope, c.tolerance).wrong_pixels() == 0) return {.usable = true, .wrong = {}};
+  if (compare_with_envelope(*opened.picture, read.envelope, c.tolerance).wrong_pixels() == 0)
+    return {.usable = true, .wrong = {}};
   return {.usable = true, .wrong = std::move(opened.picture)};
 }
 
-Fingerprint fingerprint_of(const Mutant& mutant, const FingerprintRequest& request) {
+Fingerprint fingerprint_of(const Mutant& mutant, const fs::path& program, const std::vector<ReadCase>& cases) {
   Fingerprint result;
   result.id = mutant.id, result.name = mutant.name, result.hint = mutant.hint, result.step = mutant.step;
   const TemporaryFolder folder;
-  for (const SuiteCase& c : request.cases) {
+  for (const ReadCase& c : cases) {
     if (interrupt_flag()) break;
-    const Drawing drawing = draw(request.programs / mutant.id, c, folder.path());
+    const Drawing drawing = draw(program, c, folder.path());
     if (!drawing.usable) {
-      result.no_picture.push_back(c.id);
+      result.no_picture.push_back(c.of.id);
     } else if (drawing.wrong) {
       const Picture& p = *drawing.wrong;
       std::vector<std::uint8_t> levels;
       for (const float v : p.samples) levels.push_back(static_cast<std::uint8_t>(v));
-      result.pictures.emplace(c.id, StoredPicture(std::move(levels), p.width, p.height));
+      result.pictures.emplace(c.of.id, StoredPicture(std::move(levels), p.width, p.height));
     }
   }
   return result;
@@ -96,10 +104,13 @@ void require_mutants(const fs::path& programs, const fs::path& known_mistakes) {
 int fingerprint_mutants(const FingerprintRequest& request) {
   require_mutants(request.programs, request.known_mistakes);
   const std::vector<Mutant> mutants = read_mutants(request.known_mistakes);
+  std::vector<ReadCase> cases;
+  for (const SuiteCase& c : request.cases)
+    cases.push_back({c, read_reference(c.reference), read_envelope(c.envelopes.front())});
   int showing = 0;
   for (std::size_t i = 0; i < mutants.size() && !interrupt_flag(); ++i) {
     request.progress("known mistakes", static_cast<double>(i) / static_cast<double>(mutants.size()));
-    const Fingerprint fingerprint = fingerprint_of(mutants[i], request);
+    const Fingerprint fingerprint = fingerprint_of(mutants[i], request.programs / mutants[i].id, cases);
     if (fingerprint.pictures.empty() && fingerprint.no_picture.empty()) continue;
     write_fingerprint(fingerprint, request.out / mutants[i].id);
     ++showing;

@@ -11,6 +11,7 @@
 #include "tools/plumb/grading.h"
 #include "tools/plumb/progress_bar.h"
 #include "tools/plumb/shipped.h"
+#include "tools/plumb/suite_score_command.h"
 
 namespace plumb {
 namespace {
@@ -93,9 +94,10 @@ void add_build(CLI::App& suite, Action& action) {
 }  // namespace
 
 void add_suite_command(CLI::App& app, Action& action) {
-  CLI::App* suite = app.add_subcommand("suite", "Build a suite to grade by, and verify one");
+  CLI::App* suite = app.add_subcommand("suite", "Build a suite to grade by, verify one, measure it by known mistakes");
   suite->require_subcommand(1);
   add_build(*suite, action);
+  add_suite_score_command(*suite, action);
   CLI::App* command = suite->add_subcommand("verify", "Whether every file of a built suite is as it was built");
   const auto built = std::make_shared<std::string>();
   command->add_option("built", *built, "What 'plumb suite build' made")->required()->type_name("BUILT");

@@ -34,11 +34,9 @@ for program in cpp java float; do tools/developer/planted_pictures.sh "$out/$pro
 
 # by LABEL COMPILER FLAGS
 by() {
-  mkdir -p "$out/by-$1"
-  cp -rn "$out/cpp/right" "$out/by-$1/$1"
-  compgen -G "$out/by-$1/drawn" >/dev/null || rm -f "$out/by-$1/$1"/*.png
+  mkdir -p "$out/by-$1/$1"
+  cp "$out"/cpp/right/*.cpp "$out/by-$1/$1/"
   CXX=$2 CXXFLAGS=$3 tools/developer/planted_pictures.sh "$out/by-$1" "$scenes"
-  touch "$out/by-$1/drawn"
 }
 by clang-O0 clang++ -O0
 by gcc-fast-math g++ "-O3 -ffast-math"

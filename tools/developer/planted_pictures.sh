@@ -15,7 +15,7 @@ compile() {
     # shellcheck disable=SC2086
     nice -n 5 ${CXX:-g++} ${CXXFLAGS:--O1} -std=c++17 -pthread -w -o "$work/program" "$1"*.cpp
   else
-    find "$1" -name '*.java' -print0 | xargs -0 nice -n 5 javac -nowarn -encoding UTF-8 -d "$work/classes"
+    find "$1" -name '*.java' -print0 | xargs -0 nice -n 5 javac -J-XX:TieredStopAtLevel=1 -J-XX:+UseSerialGC -nowarn -encoding UTF-8 -d "$work/classes"
   fi
 }
 
@@ -23,7 +23,7 @@ compile() {
 run() {
   local seconds=$1 program=("$work/program")
   shift
-  if [ -d "$work/classes" ]; then program=(java -Xmx512m -XX:+UseSerialGC -Djava.awt.headless=true -cp "$work/classes" ray.RayTracer); fi
+  if [ -d "$work/classes" ]; then program=(java -Xmx512m -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Djava.awt.headless=true -cp "$work/classes" ray.RayTracer); fi
   timeout "$seconds" nice -n 5 "${program[@]}" "$@" >/dev/null 2>&1
 }
 

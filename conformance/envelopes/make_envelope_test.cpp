@@ -3,42 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "conformance/envelopes/envelope_scene_for_tests.h"
 #include "conformance/envelopes/jitter_camera.h"
-#include "conformance/envelopes/judge_envelope.h"
-#include "renderer/scene_for_tests.h"
 
 namespace plumb {
 namespace {
-
-/// A scene of the library, ready for envelopes.
-struct LibraryScene {
-  explicit LibraryScene(const std::string& name)
-      : description(read_scene(std::filesystem::path(PLUMB_SOURCE_DIR) / "scenes/library" / (name + ".xml"),
-                               renderer_kinds(Dialect::pa3_2011))),
-        meshes(load_meshes(description)) {}
-  Envelope envelope(const Variant& variant = {}, int threads = 0) const {
-    return make_envelope({.description = description, .meshes = meshes, .variant = variant, .threads = threads});
-  }
-  TextbookOptions options() const { return textbook_options(description); }
-  Picture drawn(const TextbookOptions& options) const {
-    const Image image = textbook_picture(textbook_samples(description, meshes, options, 0), options);
-    Picture picture;
-    picture.width = image.width(), picture.height = image.height();
-    const std::vector<std::uint8_t> levels = levels_of(image);
-    picture.samples.assign(levels.begin(), levels.end());
-    return picture;
-  }
-
-  SceneDescription description;
-  MeshTable meshes;
-};
 
 std::int64_t wrong(const Picture& picture, const Envelope& envelope) {
   return compare_with_envelope(picture, envelope, 1).wrong_pixels();
 }
 
 TEST(MakeEnvelope, HoldsTheReferenceTightly) {
-  const LibraryScene scene("shadows");
+  const EnvelopeScene scene = library_scene("shadows");
   const Envelope e = scene.envelope();
   std::vector<std::string> warnings;
   const Scene built = build_scene(scene.description, scene.meshes, {}, warnings);
@@ -55,22 +31,19 @@ TEST(MakeEnvelope, HoldsTheReferenceTightly) {
 }
 
 TEST(MakeEnvelope, DoesNotDependOnThreads) {
-  const LibraryScene scene("glass");
+  const EnvelopeScene scene = library_scene("glass");
   EXPECT_EQ(scene.envelope({}, 1), scene.envelope({}, 3));
 }
 
 TEST(MakeEnvelope, HoldsProgramsThatItWasNotMadeWith) {
   int programs = 0;
   for (const char* name : {"shadows", "glass", "glazed", "mesh-smooth", "rotations", "antialiasing"}) {
-    const LibraryScene scene(name);
+    const EnvelopeScene scene = library_scene(name);
     const Envelope e = scene.envelope();
-    for (TextbookOptions options : {TextbookOptions{.single = true, .t_min = 3e-5},
-                                    TextbookOptions{.t_min = 1e-7, .reverse_sums = true, .other_formulas = true},
-                                    TextbookOptions{.single = true, .t_min = 5e-5, .reverse_sums = true}}) {
-      const TextbookOptions of_scene = scene.options();
-      options.grid = of_scene.grid, options.width = of_scene.width, options.height = of_scene.height;
-      options.max_depth = of_scene.max_depth, options.min_contribution = of_scene.min_contribution;
-      EXPECT_EQ(wrong(scene.drawn(options), e), 0) << name;
+    for (const TextbookOptions& options : {TextbookOptions{.single = true, .t_min = 3e-5},
+                                           TextbookOptions{.t_min = 1e-7, .reverse_sums = true, .other_formulas = true},
+                                           TextbookOptions{.single = true, .t_min = 5e-5, .reverse_sums = true}}) {
+      EXPECT_EQ(wrong(scene.drawn(scene.options(options)), e), 0) << name;
       ++programs;
     }
   }
@@ -78,7 +51,7 @@ TEST(MakeEnvelope, HoldsProgramsThatItWasNotMadeWith) {
 }
 
 TEST(MakeEnvelope, LeavesOutWrongPrograms) {
-  const LibraryScene glass("glass");
+  const EnvelopeScene glass = library_scene("glass");
   TextbookOptions options = glass.options();
   options.schlick = true;
   EXPECT_GT(wrong(glass.drawn(options), glass.envelope()), 100) << "Schlick's approximation";
@@ -89,14 +62,15 @@ TEST(MakeEnvelope, LeavesOutWrongPrograms) {
   options = glass.options();
   options.single = true, options.t_min = 1e-9;
   EXPECT_GT(wrong(glass.drawn(options), glass.envelope()), 1000) << "acne";
-  const LibraryScene fence("antialiasing");
+  const EnvelopeScene fence = library_scene("antialiasing");
   options = fence.options();
   options.grid = 2;
   EXPECT_GT(wrong(fence.drawn(options), fence.envelope()), 100) << "other samples";
 }
 
 TEST(MakeEnvelope, OnlyVariantsThatDifferForTheSceneAreOthers) {
-  const LibraryScene matt("shadows"), glass("glass"), fence("antialiasing");
+  const EnvelopeScene matt = library_scene("shadows"), glass = library_scene("glass"),
+                      fence = library_scene("antialiasing");
   const Variant course, no_cutoff{.id = "n", .cutoff = false}, up{.id = "u", .samples = SampleRounding::up};
   EXPECT_TRUE(same_for(matt.description, course, no_cutoff));
   EXPECT_FALSE(same_for(glass.description, course, no_cutoff));
@@ -110,7 +84,7 @@ TEST(MakeEnvelope, OnlyVariantsThatDifferForTheSceneAreOthers) {
 TEST(Perturbations, AreEachFreeOfAcne) {
   // Alone, each differs from the reference by more than its rounding in a few pixels at edges.
   for (const char* name : {"glass", "rotations"}) {
-    const LibraryScene scene(name);
+    const EnvelopeScene scene = library_scene(name);
     const Picture reference = scene.drawn(scene.options());
     for (const Perturbation& p : perturbations()) {
       TextbookOptions options = p.options;
@@ -127,7 +101,7 @@ TEST(Perturbations, AreEachFreeOfAcne) {
 }
 
 TEST(JitteredCamera, StaysNearAndIsTheSameForASeed) {
-  const LibraryScene scene("oblique-camera");
+  const EnvelopeScene scene = library_scene("oblique-camera");
   std::vector<std::string> warnings;
   const Scene built = build_scene(scene.description, scene.meshes, {}, warnings);
   const ObjectDescription& camera = *scene.description.scene->object("camera");

@@ -1,6 +1,8 @@
 #include "tools/developer/planted_mistakes.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <regex>
 
 #include "conformance/families/random.h"
@@ -55,22 +57,49 @@ std::vector<PlantedMistake> read_planted_mistakes(const fs::path& folder) {
     if (entry.path().extension() == ".toml") mistakes.push_back(read_one(entry.path()));
   if (mistakes.empty()) throw InputError({folder.string()}, "holds no mistake, expected files ID.toml");
   std::ranges::sort(mistakes, {}, &PlantedMistake::id);
+  const std::string program = program_of(mistakes);
   for (const PlantedMistake& mistake : mistakes)
     for (const PlantedEdit& edit : mistake.edits)
-      if (edit.file != mistakes[0].edits[0].file)
+      if (!edit.file.starts_with(program + "/"))
         throw InputError({(folder / (mistake.id + ".toml")).string()},
-                         "changes " + edit.file + ", expected " + mistakes[0].edits[0].file + " as the others");
+                         "changes " + edit.file + ", expected a file of " + program + " as the others");
   return mistakes;
 }
 
-std::string plant(const PlantedMistake& mistake, std::string text) {
+std::string program_of(const std::vector<PlantedMistake>& mistakes) {
+  const fs::path file = mistakes.at(0).edits.at(0).file;
+  auto part = file.begin();
+  const fs::path examples = *part;
+  return (examples / *++part).generic_string();
+}
+
+std::string read_source(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError({file.string()}, "cannot be opened, expected a source of the program");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+SourceTree read_sources(const fs::path& root, const std::string& program) {
+  SourceTree sources;
+  if (fs::is_directory(root / program))
+    for (const auto& entry : fs::recursive_directory_iterator(root / program))
+      if (entry.is_regular_file())
+        sources[entry.path().lexically_relative(root).generic_string()] = read_source(entry.path());
+  if (sources.empty()) throw InputError({(root / program).string()}, "holds no files, expected a program");
+  return sources;
+}
+
+SourceTree plant(const PlantedMistake& mistake, SourceTree sources) {
   for (const PlantedEdit& edit : mistake.edits) {
+    const auto file = sources.find(edit.file);
+    if (file == sources.end()) throw InputError({edit.file}, "is missing, expected a source for " + mistake.id);
+    std::string& text = file->second;
     if (const std::size_t count = occurrences(text, edit.find); count != 1)
       throw InputError({edit.file}, "holds the text to be changed by " + mistake.id + " " + std::to_string(count) +
                                         " times, expected once: " + edit.find);
     text.replace(text.find(edit.find), edit.find.size(), edit.replace);
   }
-  return text;
+  return sources;
 }
 
 std::string in_single_precision(std::string text) {
@@ -82,13 +111,13 @@ std::string in_single_precision(std::string text) {
   return std::regex_replace(text, offset, "kEpsilon = 1e-4");
 }
 
-std::vector<PlantedProgram> single_programs(const std::vector<PlantedMistake>& mistakes, const std::string& source) {
+std::vector<PlantedProgram> single_programs(const std::vector<PlantedMistake>& mistakes, const SourceTree& sources) {
   std::vector<PlantedProgram> programs;
-  for (const PlantedMistake& mistake : mistakes) programs.push_back({mistake.id, plant(mistake, source), {mistake}});
+  for (const PlantedMistake& mistake : mistakes) programs.push_back({mistake.id, plant(mistake, sources), {mistake}});
   return programs;
 }
 
-std::vector<PlantedProgram> pair_programs(const std::vector<PlantedMistake>& mistakes, const std::string& source,
+std::vector<PlantedProgram> pair_programs(const std::vector<PlantedMistake>& mistakes, const SourceTree& sources,
                                           std::size_t count, std::uint64_t seed) {
   std::vector<PlantedProgram> all;
   for (std::size_t i = 0; i < mistakes.size(); ++i)
@@ -96,7 +125,7 @@ std::vector<PlantedProgram> pair_programs(const std::vector<PlantedMistake>& mis
       const PlantedMistake &a = mistakes[i], &b = mistakes[k];
       if (a.same_as.empty() || b.same_as.empty() || share_a_name(a, b)) continue;
       try {
-        all.push_back({a.id + "+" + b.id, plant(b, plant(a, source)), {a, b}});
+        all.push_back({a.id + "+" + b.id, plant(b, plant(a, sources)), {a, b}});
       } catch (const InputError&) {
         // The first changes the text that the second looks for.
       }

@@ -23,6 +23,8 @@ constexpr double kLeastLikeness = 0.3;
 constexpr double kSameLikeness = 0.95;
 /// A suspicion is confident from this likeness on, and by so much ahead of the next that differs from it.
 constexpr double kConfidentLikeness = 0.75, kConfidentLead = 0.15;
+/// Of two mistakes together, which have more ways to fit by chance.
+constexpr double kConfidentPair = 0.9;
 /// Of a named pair, before it comes ahead of a single mistake.
 constexpr double kPairHandicap = 0.02;
 constexpr std::size_t kMostSuspicions = 5, kMostPairs = 3, kMostPixels = 3;
@@ -142,7 +144,8 @@ class Diagnostician {
       kept.push_back(&entry);
       diagnosis.suspicions.push_back(written_out(entry));
     }
-    diagnosis.confident = !kept.empty() && kept[0]->likeness.value >= kConfidentLikeness &&
+    const double least = !kept.empty() && kept[0]->mistakes.size() > 1 ? kConfidentPair : kConfidentLikeness;
+    diagnosis.confident = !kept.empty() && kept[0]->likeness.value >= least &&
                           (kept.size() == 1 || kept[0]->likeness.value - kept[1]->likeness.value >= kConfidentLead);
     return diagnosis;
   }

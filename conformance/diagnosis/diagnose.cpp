@@ -23,6 +23,8 @@ constexpr double kLeastLikeness = 0.3;
 constexpr double kSameLikeness = 0.95;
 /// A suspicion is confident from this likeness on, and by so much ahead of the next that differs from it.
 constexpr double kConfidentLikeness = 0.75, kConfidentLead = 0.15;
+/// Of two mistakes together, which have more ways to fit by chance.
+constexpr double kConfidentPair = 0.9;
 /// Of a named pair, before it comes ahead of a single mistake.
 constexpr double kPairHandicap = 0.02;
 constexpr std::size_t kMostSuspicions = 5, kMostPairs = 3, kMostPixels = 3;
@@ -78,15 +80,14 @@ class Diagnostician {
     std::vector<Entry> entries;
     std::vector<Likeness> singles;
     for (std::size_t i = 0; i < mistakes_.size(); ++i) {
-      const std::array<const MistakeMatches*, 1> one{&mistakes_[i]};
-      singles.push_back(likeness(deviations_, one));
+      singles.push_back(likeness(deviations_, mistakes_[i]));
       entries.push_back({{i}, nullptr, singles.back()});
       if (!fingerprints_[i].parts.empty()) singles.back() = {};  // a named pair is not paired again
     }
     for (const LikelyPair& pair : likely_pairs(deviations_, mistakes_, singles, kMostPairs))
       entries.push_back({{pair.mistakes[0], pair.mistakes[1]}, nullptr, pair.likeness});
     for (const Suspicion& finding : findings)
-      entries.push_back({{}, &finding, {finding.likeness, finding.explained, finding.missed}});
+      entries.push_back({{}, &finding, {finding.likeness, finding.explained, finding.missed, {}}});
     std::erase_if(entries, [](const Entry& e) { return e.likeness.value < kLeastLikeness; });
     std::ranges::stable_sort(entries, std::ranges::greater{}, [&](const Entry& e) {
       return e.likeness.value - (parts_of(e).size() > 1 && e.mistakes.size() == 1 ? kPairHandicap : 0);
@@ -119,9 +120,7 @@ class Diagnostician {
       deviations.push_back(picture == first.pictures.end() ? deviation_of(limits_[i].nominal(), limits_[i])
                                                            : deviation_of(levels_of(picture->second, i), limits_[i]));
     }
-    const MistakeMatches second = matches_of(fingerprints_[b.mistakes[0]], deviations);
-    const std::array<const MistakeMatches*, 1> one{&second};
-    return likeness(deviations, one).value >= kSameLikeness;
+    return likeness(deviations, matches_of(fingerprints_[b.mistakes[0]], deviations)).value >= kSameLikeness;
   }
 
   /// Whether an entry repeats a part of one before it: a single mistake of a pair.
@@ -145,7 +144,8 @@ class Diagnostician {
       kept.push_back(&entry);
       diagnosis.suspicions.push_back(written_out(entry));
     }
-    diagnosis.confident = !kept.empty() && kept[0]->likeness.value >= kConfidentLikeness &&
+    const double least = !kept.empty() && kept[0]->mistakes.size() > 1 ? kConfidentPair : kConfidentLikeness;
+    diagnosis.confident = !kept.empty() && kept[0]->likeness.value >= least &&
                           (kept.size() == 1 || kept[0]->likeness.value - kept[1]->likeness.value >= kConfidentLead);
     return diagnosis;
   }

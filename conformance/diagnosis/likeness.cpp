@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -67,36 +68,62 @@ BlockLikeness block_likeness(const Deviation& deviation, const Match* first, con
       {}, &BlockLikeness::amount);
 }
 
-double case_value(const Areas& areas, const BlockLikeness& blocks) {
-  const double counted = static_cast<double>(areas.either) - 0.5 * static_cast<double>(areas.mixed);
-  return kAreaPart * static_cast<double>(areas.agreed) / counted + kAmountPart * blocks.amount +
-         kDirectionPart * blocks.direction;
+CaseLikeness case_likeness(const Deviation& deviation, const Match* first, const Match* second) {
+  const Areas areas = areas_of(deviation, first, second);
+  if (areas.either == 0) return {};
+  const double pixels = static_cast<double>(deviation.difference.size() / 3);
+  const double either = static_cast<double>(areas.either), counted = either - 0.5 * static_cast<double>(areas.mixed);
+  CaseLikeness result{
+      either / (either + kHalfWeightShare * pixels), 0, areas.subject, areas.mistakes, areas.agreed, areas.missed};
+  if (areas.mistakes == 0) return result;
+  const BlockLikeness blocks = block_likeness(deviation, first, second);
+  result.value = kAreaPart * static_cast<double>(areas.agreed) / counted + kAmountPart * blocks.amount +
+                 kDirectionPart * blocks.direction;
+  return result;
 }
 
 double share(std::int64_t part, std::int64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// The mean over the cases.
+Likeness over_all(std::vector<CaseLikeness> cases) {
+  double weights = 0, sum = 0;
+  CaseLikeness all;
+  for (const CaseLikeness& one : cases) {
+    weights += one.weight, sum += one.weight * one.value;
+    all.wrong += one.wrong, all.shown += one.shown, all.agreed += one.agreed, all.missed += one.missed;
+  }
+  return {weights == 0 ? 0 : sum / weights, share(all.agreed, all.wrong), share(all.missed, all.shown),
+          std::move(cases)};
+}
+
+const Match* match_in(const MistakeMatches& mistake, std::size_t i) {
+  return mistake.cases[i] ? &*mistake.cases[i] : nullptr;
+}
+
 }  // namespace
 
-Likeness likeness(std::span<const Deviation> deviations, std::span<const MistakeMatches* const> mistakes) {
-  double weights = 0, sum = 0;
-  Areas all;
+Likeness likeness(std::span<const Deviation> deviations, const MistakeMatches& mistake) {
+  std::vector<CaseLikeness> cases(deviations.size());
+  for (std::size_t i = 0; i < deviations.size(); ++i)
+    if (!mistake.unknown[i]) cases[i] = case_likeness(deviations[i], match_in(mistake, i), nullptr);
+  return over_all(std::move(cases));
+}
+
+Likeness likeness_together(std::span<const Deviation> deviations, const MistakeMatches& a, const Likeness& a_alone,
+                           const MistakeMatches& b, const Likeness& b_alone) {
+  std::vector<CaseLikeness> cases(deviations.size());
   for (std::size_t i = 0; i < deviations.size(); ++i) {
-    if (std::ranges::any_of(mistakes, [&](const MistakeMatches* m) { return m->unknown[i]; })) continue;
-    const auto match = [&](std::size_t k) {
-      return k < mistakes.size() && mistakes[k]->cases[i] ? &*mistakes[k]->cases[i] : nullptr;
-    };
-    const Areas areas = areas_of(deviations[i], match(0), match(1));
-    if (areas.either == 0) continue;
-    const double pixels = static_cast<double>(deviations[i].difference.size() / 3);
-    const double either = static_cast<double>(areas.either), weight = either / (either + kHalfWeightShare * pixels);
-    weights += weight;
-    sum += weight * case_value(areas, block_likeness(deviations[i], match(0), match(1)));
-    all.subject += areas.subject, all.mistakes += areas.mistakes;
-    all.agreed += areas.agreed, all.missed += areas.missed;
+    if (a.unknown[i] || b.unknown[i]) continue;
+    if (!b.cases[i])
+      cases[i] = a_alone.cases[i];
+    else if (!a.cases[i])
+      cases[i] = b_alone.cases[i];
+    else
+      cases[i] = case_likeness(deviations[i], match_in(a, i), match_in(b, i));
   }
-  return {weights == 0 ? 0 : sum / weights, share(all.agreed, all.subject), share(all.missed, all.mistakes)};
+  return over_all(std::move(cases));
 }
 
 }  // namespace plumb

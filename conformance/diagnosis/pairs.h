@@ -15,9 +15,9 @@ struct LikelyPair {
   Likeness likeness;
 };
 
-/// The pairs that account for a submission clearly better than either mistake alone, the likeliest first, at most
-/// `most`. Nothing is drawn for it: a pixel is accounted for if one of the two reproduces it. `singles`: the likeness
-/// of each mistake alone. Only mistakes that show mostly where the submission is wrong are paired.
+/// The pairs that account for a submission clearly better than the best single mistake, the likeliest first, at most
+/// `most`. `singles`: the likeness of each mistake alone. Only mistakes that show mostly where the submission is wrong
+/// are paired.
 std::vector<LikelyPair> likely_pairs(std::span<const Deviation> deviations, std::span<const MistakeMatches> mistakes,
                                      std::span<const Likeness> singles, std::size_t most);
 

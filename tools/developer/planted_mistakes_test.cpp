@@ -76,5 +76,32 @@ TEST(PlantedMistakes, FitTheExamples) {
   }
 }
 
+TEST(PlantedMistakes, BecomeFloatPrograms) {
+  const std::string text = in_single_precision("const double kEpsilon = 1e-6; double_it(std::max(0.0, x));");
+  EXPECT_EQ(text, "const float kEpsilon = 1e-4; double_it(std::max<float>(0, x));");
+}
+
+TEST(PlantedMistakes, FilesAreReadStrictly) {
+  const fs::path folder = fs::temp_directory_path() / ("plumb-planted-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const auto message = [&](const std::string& text) -> std::string {
+    std::ofstream(folder / "one.toml") << text;
+    try {
+      read_planted_mistakes(folder);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string edit = "[[edit]]\nfile = 'examples/a/a.cpp'\nfind = 'x'\nreplace = 'y'\n";
+  EXPECT_EQ(message("name = 'One'\nsame_as = []\n" + edit), "");
+  EXPECT_THAT(message("name = 'One'\nsame_as = []\n"), HasSubstr("changes nothing"));
+  EXPECT_THAT(message("nam = 'One'\n" + edit), HasSubstr("'name'"));
+  EXPECT_THAT(message("name = 'One'\nsane_as = []\n" + edit), HasSubstr("sane_as"));
+  fs::remove(folder / "one.toml");
+  EXPECT_THROW(read_planted_mistakes(folder), InputError);
+  fs::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -80,8 +80,8 @@ CheckResult unusable(const HarvestResult& harvested) {
   throw std::logic_error("this harvest is not unusable");
 }
 
-void judge_by_reference(const ImageCheckInput& input, const fs::path& file, const Picture& reference,
-                        ImageCheck& check) {
+void judge_by_reference(const ImageCheckInput& input, const fs::path& file, ImageCheck& check) {
+  const Picture reference = read_reference(input.suite_case.reference);
   const PictureJudgement judgement = judge_picture(file, reference, input.suite_case.tolerance);
   check.result = judgement.result;
   if (judgement.difference && judgement.difference->max > 0)
@@ -107,10 +107,17 @@ void add_metrics(const Picture& nominal, const Picture& picture, const WrongRegi
                                                  {"densest_window_wrong", window.wrong}});
 }
 
-void judge_by_envelopes(const ImageCheckInput& input, const fs::path& file, const Picture& reference,
-                        ImageCheck& check) {
+Picture nominal_picture(const Envelope& envelope) {
+  Picture picture;
+  picture.width = envelope.width, picture.height = envelope.height;
+  picture.samples.assign(envelope.nominal.begin(), envelope.nominal.end());
+  return picture;
+}
+
+void judge_by_envelopes(const ImageCheckInput& input, const fs::path& file, ImageCheck& check) {
   const SuiteCase& c = input.suite_case;
-  const PictureJudgement opened = open_picture(file, reference);
+  Envelope envelope = read_envelope(c.envelopes.front());
+  const PictureJudgement opened = open_picture(file, nominal_picture(envelope));
   check.result = opened.result;
   if (check.result.verdict != Verdict::pass) return;
   std::optional<EnvelopeFindings> best;
@@ -121,17 +128,15 @@ void judge_by_envelopes(const ImageCheckInput& input, const fs::path& file, cons
       check.by_variant.push_back(check.by_variant[earlier]);
       continue;
     }
-    const Envelope envelope = read_envelope(c.envelopes[v]);
+    if (v > 0) envelope = read_envelope(c.envelopes[v]);
     EnvelopeFindings findings = compare_with_envelope(*opened.picture, envelope, c.tolerance);
     check.by_variant.push_back(judge_findings(findings, *opened.picture, envelope, c.tolerance));
-    Picture nominal = reference;
-    nominal.samples.assign(envelope.nominal.begin(), envelope.nominal.end());
     if (!is_right(check.by_variant.back().verdict))
-      add_metrics(nominal, *opened.picture, findings.regions, check.by_variant.back());
+      add_metrics(nominal_picture(envelope), *opened.picture, findings.regions, check.by_variant.back());
     if (!best || findings.wrong_pixels() < best->wrong_pixels()) {
       check.result = check.by_variant.back();
+      if (findings.wrong_pixels() > 0) best_reference = nominal_picture(envelope);
       best = std::move(findings);
-      best_reference = std::move(nominal);
     }
   }
   if (best->wrong_pixels() > 0)
@@ -166,11 +171,10 @@ ImageCheck check_image(const ImageCheckInput& input) {
   }
   check.hashes.emplace_back("picture", file_hash(picture));
 
-  const Picture reference = read_reference(input.suite_case.reference);
   if (input.suite_case.envelopes.empty())
-    judge_by_reference(input, picture, reference, check);
+    judge_by_reference(input, picture, check);
   else
-    judge_by_envelopes(input, picture, reference, check);
+    judge_by_envelopes(input, picture, check);
   if (input.run.exit_code != 0) {
     warn_of_exit_status(input.run.exit_code, check.result);
     for (CheckResult& result : check.by_variant) warn_of_exit_status(input.run.exit_code, result);

@@ -22,7 +22,7 @@ constexpr double kLeastLikeness = 0.3;
 /// Two mistakes this alike in what they draw cannot be told apart.
 constexpr double kSameLikeness = 0.95;
 /// A suspicion is confident from this likeness on, and by so much ahead of the next that differs from it.
-constexpr double kConfidentLikeness = 0.75, kConfidentLead = 0.15;
+constexpr double kConfidentLikeness = 0.85, kConfidentLead = 0.15;
 /// Of two mistakes together, which have more ways to fit by chance.
 constexpr double kConfidentPair = 0.9;
 /// Of a named pair, before it comes ahead of a single mistake.

@@ -25,7 +25,8 @@ SuiteScore score() {
   s.columns = {{.id = "ball", .kind = "image", .fault = "", .noticed = 2, .only_here = {"flat"}},
                {.id = "egg", .kind = "image", .fault = "", .noticed = 0, .only_here = {}},
                {.id = "check:S0", .kind = "check", .fault = "", .noticed = 1, .only_here = {}}};
-  ScoreRow flat{.id = "flat", .name = "The \"ball\" is flat", .step = "surfaces", .variant = "", .cells = {}, .missing = {}};
+  ScoreRow flat{
+      .id = "flat", .name = "The \"ball\" is flat", .step = "surfaces", .variant = "", .cells = {}, .missing = {}};
   flat.verdict = MutantVerdict::caught;
   flat.cells = {noticed(12, true), right(), noticed(0, true)};
   ScoreRow dim{.id = "dim", .name = "Too dim", .step = "lights", .variant = "", .cells = {}, .missing = {}};
@@ -40,36 +41,37 @@ SuiteScore score() {
 }
 
 TEST(KillMatrixText, IsASignAPlaceWithALineForWhatDoesNotHold) {
-  EXPECT_EQ(kill_matrix_text(score()),
-            "        c\n"
-            "        h\n"
-            "        e\n"
-            "        c\n"
-            "      b k\n"
-            "      ae:\n"
-            "      lgS\n"
-            "      lg0\n"
-            "surfaces\n"
-            "flat  #.#\n"
-            "lights\n"
-            "dim   +!   caught only by what it does not name\n"
-            "up    ~.   accepted as the variant up\n"
-            "# noticed, + by what the mutant does not name; . right, ! though named; ~ a warning, or right by another "
-            "variant; ? undecided\n"
-            "\nNoticed by no other case than\n"
-            "  ball: flat\n"
-            "\nCases that notice nothing: egg\n"
-            "\ndim (caught only by what it does not name): egg: finds nothing wrong, or so\n"
-            "\nSuite two <balls>, seed 7, intensity 0.5: caught by all that they name: 1 of 2 known mistakes; 1 only by "
-            "what they do not name; 1 more accepted as variants\n");
+  EXPECT_EQ(
+      kill_matrix_text(score()),
+      "        c\n"
+      "        h\n"
+      "        e\n"
+      "        c\n"
+      "      b k\n"
+      "      ae:\n"
+      "      lgS\n"
+      "      lg0\n"
+      "surfaces\n"
+      "flat  #.#\n"
+      "lights\n"
+      "dim   +!   caught only by what it does not name\n"
+      "up    ~.   accepted as the variant up\n"
+      "# noticed, + by what the mutant does not name; . right, ! though named; ~ a warning, or right by another "
+      "variant; ? undecided\n"
+      "\nNoticed by no other case than\n"
+      "  ball: flat\n"
+      "\nCases that notice nothing: egg\n"
+      "\ndim (caught only by what it does not name): egg: finds nothing wrong, or so\n"
+      "\nSuite two <balls>, seed 7, intensity 0.5: caught by all that they name: 1 of 2 known mistakes; 1 only by "
+      "what they do not name; 1 more accepted as variants\n");
 }
 
 TEST(KillMatrixCsv, HasWrongPixelsOrAWord) {
   EXPECT_EQ(kill_matrix_csv(score()),
-            "mutant,step,verdict,missing,ball,egg,check:S0\r\n"
-            "flat,surfaces,caught,,12,0,wrong\r\n"
-            "dim,lights,elsewhere,\"egg: finds nothing wrong, or so\",no_picture,0,not_asked\r\n"
-            "up,lights,accepted,,5,0,not_asked\r\n");
+            "mutant,step,verdict,missing,ball,egg,check:S0\n"
+            "flat,surfaces,caught,,12,0,wrong\n"
+            "dim,lights,elsewhere,\"egg: finds nothing wrong, or so\",no_picture,0,not_asked\n"
+            "up,lights,accepted,,5,0,not_asked\n");
 }
 
 TEST(KillMatrixJson, HoldsAll) {

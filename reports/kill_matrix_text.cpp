@@ -106,9 +106,8 @@ std::string verdict_text(const ScoreRow& row) {
 }
 
 std::string score_summary(const SuiteScore& score) {
-  std::string text =
-      fmt::format("caught by all that they name: {} of {} known mistakes", score.count(MutantVerdict::caught),
-                  score.to_catch());
+  std::string text = fmt::format("caught by all that they name: {} of {} known mistakes",
+                                 score.count(MutantVerdict::caught), score.to_catch());
   const auto add = [&](MutantVerdict verdict, const char* what) {
     if (const int n = score.count(verdict); n > 0) text += fmt::format("; {} {}", n, what);
   };

@@ -108,7 +108,7 @@ std::string problems(const SuiteScore& score) {
   std::string items;
   for (const ScoreColumn& c : score.columns)
     if (!c.fault.empty())
-      items += fmt::format("<li><b>{}</b>: wrong of the tracer without mistakes: {}</li>\n", escaped(c.id),
+      items += fmt::format("<li><b>{}</b>: not right with the tracer without mistakes: {}</li>\n", escaped(c.id),
                            escaped(c.fault));
   for (const ScoreRow& row : score.rows)
     for (const std::string& what : row.missing)

@@ -115,8 +115,9 @@ TEST(KillMatrixHtml, StandsAloneAndTellsItsPlaces) {
 TEST(KillMatrix, AFaultOfOursIsSaidEverywhere) {
   SuiteScore s = score();
   s.columns[3].fault = "the centre is off";
-  EXPECT_THAT(kill_matrix_text(s), HasSubstr("check:S0: wrong of the tracer without mistakes: the centre is off\n"));
-  EXPECT_THAT(kill_matrix_html(s), HasSubstr("<li><b>check:S0</b>: wrong of the tracer without mistakes"));
+  EXPECT_THAT(kill_matrix_text(s),
+              HasSubstr("check:S0: not right with the tracer without mistakes: the centre is off\n"));
+  EXPECT_THAT(kill_matrix_html(s), HasSubstr("<li><b>check:S0</b>: not right with the tracer without mistakes"));
   EXPECT_EQ(nlohmann::json::parse(kill_matrix_json(s))["columns"][3]["fault"], "the centre is off");
   EXPECT_EQ(s.exit_status(), 3);
   EXPECT_EQ(score().exit_status(), 1);

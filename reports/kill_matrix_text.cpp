@@ -82,7 +82,7 @@ std::string worth(const SuiteScore& score) {
 std::string problems(const SuiteScore& score) {
   std::string text;
   for (const ScoreColumn& c : score.columns)
-    if (!c.fault.empty()) text += fmt::format("{}: wrong of the tracer without mistakes: {}\n", c.id, c.fault);
+    if (!c.fault.empty()) text += fmt::format("{}: not right with the tracer without mistakes: {}\n", c.id, c.fault);
   for (const ScoreRow& row : score.rows)
     for (const std::string& what : row.missing) text += fmt::format("{} ({}): {}\n", row.id, verdict_text(row), what);
   return text.empty() ? "" : "\n" + text;

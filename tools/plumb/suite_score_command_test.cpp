@@ -76,7 +76,7 @@ TEST_F(SuiteScoreCommandTest, ASuiteThatTheTracerItselfFailsIsOurFault) {
     fs::copy_file(folder_ / "wrong.png", folder_ / "built/envelopes/phong/course" / (std::string(bound) + ".png"),
                   fs::copy_options::overwrite_existing);
   EXPECT_EQ(score(), 3) << said_ << complained_;
-  EXPECT_THAT(said_, HasSubstr("phong: wrong of the tracer without mistakes: "));
+  EXPECT_THAT(said_, HasSubstr("phong: not right with the tracer without mistakes: "));
 }
 
 TEST_F(SuiteScoreCommandTest, SaysWhatItNeeds) {

@@ -13,10 +13,13 @@ h1 { font-size: 1.4em } h2 { font-size: 1.15em; margin-top: 2em }
 .matrix { overflow: auto; max-height: 85vh; border: 1px solid #c6ccd2 }
 table { border-collapse: separate; border-spacing: 0 }
 th, td { padding: 2px 6px; border-bottom: 1px solid #e6e9ec; text-align: left; font-weight: normal }
-thead th { position: sticky; top: 0; z-index: 2; background: #f3f5f7; vertical-align: bottom; border-bottom: 1px solid #c6ccd2 }
-thead th.down { writing-mode: vertical-rl; transform: rotate(180deg); padding: 6px 2px; text-align: left; white-space: nowrap }
-tbody th { position: sticky; left: 0; z-index: 1; background: #fff; white-space: nowrap; border-right: 1px solid #c6ccd2 }
-thead th:first-child { left: 0; z-index: 3; border-right: 1px solid #c6ccd2 }
+thead th { position: sticky; top: 0; z-index: 2; background: #f3f5f7; vertical-align: bottom }
+thead th, .matrix tbody th { border-color: #c6ccd2 }
+thead th.down { padding: 6px 2px }
+thead th.down span { writing-mode: vertical-rl; transform: rotate(180deg); white-space: nowrap }
+tbody th { position: sticky; left: 0; z-index: 1; background: #fff; white-space: nowrap }
+.matrix th:first-child { border-right: 1px solid #c6ccd2 }
+thead th:first-child { left: 0; z-index: 3 }
 tbody th.step { background: #f3f5f7; font-weight: 600 }
 .matrix td.cell { width: 1.2em; padding: 2px 3px; text-align: center; border-left: 1px solid #eef0f2 }
 .named { background: #1f7a3d; color: #fff } .other { background: #b9dfc4 } .weak { background: #f6e3a1 }
@@ -51,8 +54,7 @@ std::string escaped(const std::string& text) {
 /// The class that colours a place, and its sign: colour alone tells nothing to some.
 std::pair<const char*, const char*> look(const ScoreCell& cell) {
   if (cell.notice == Notice::not_asked) return {"", ""};
-  if (is_noticed(cell.notice))
-    return cell.named ? std::pair{"named", "&#9679;"} : std::pair{"other", "&#9675;"};
+  if (is_noticed(cell.notice)) return cell.named ? std::pair{"named", "&#9679;"} : std::pair{"other", "&#9675;"};
   if (cell.named) return {"lacking", "!"};
   if (cell.notice == Notice::right) return {"idle", "&#183;"};
   return {"weak", "~"};
@@ -79,16 +81,17 @@ std::string matrix_row(const SuiteScore& score, const ScoreRow& row) {
                           escaped(tooltip(score.columns[i], row, row.cells[i])), sign);
   }
   const std::string verdict = escaped(verdict_text(row));
-  return text + (is_settled(row.verdict) ? fmt::format("<td>{}</td>", verdict)
-                                         : fmt::format("<td class=\"bad\">{}</td>", verdict)) +
+  return text +
+         (is_settled(row.verdict) ? fmt::format("<td>{}</td>", verdict)
+                                  : fmt::format("<td class=\"bad\">{}</td>", verdict)) +
          "</tr>\n";
 }
 
 std::string matrix(const SuiteScore& score) {
   std::string text = "<div class=\"matrix\"><table>\n<thead><tr><th>mutant</th>";
   for (const ScoreColumn& c : score.columns)
-    text += fmt::format("<th class=\"down{}\" title=\"{}\">{}</th>", c.fault.empty() ? "" : " bad", escaped(c.fault),
-                        escaped(c.id));
+    text += fmt::format("<th class=\"down{}\" title=\"{}\"><span>{}</span></th>", c.fault.empty() ? "" : " bad",
+                        escaped(c.fault), escaped(c.id));
   text += "<th>verdict</th></tr></thead>\n<tbody>\n";
   std::string step;
   for (const ScoreRow& row : score.rows) {
@@ -105,7 +108,7 @@ std::string problems(const SuiteScore& score) {
   std::string items;
   for (const ScoreColumn& c : score.columns)
     if (!c.fault.empty())
-      items += fmt::format("<li><b>{}</b>: wrong of the tracer without mistakes: {}</li>\n", escaped(c.id),
+      items += fmt::format("<li><b>{}</b>: not right with the tracer without mistakes: {}</li>\n", escaped(c.id),
                            escaped(c.fault));
   for (const ScoreRow& row : score.rows)
     for (const std::string& what : row.missing)

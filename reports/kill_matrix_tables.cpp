@@ -46,12 +46,12 @@ Json row_json(const ScoreRow& row, const std::vector<ScoreColumn>& columns) {
 std::string kill_matrix_csv(const SuiteScore& score) {
   std::string text = "mutant,step,verdict,missing";
   for (const ScoreColumn& c : score.columns) text += "," + csv_field(c.id);
-  text += "\r\n";
+  text += "\n";
   for (const ScoreRow& row : score.rows) {
     text += fmt::format("{},{},{},{}", csv_field(row.id), csv_field(row.step), to_string(row.verdict),
                         csv_field(fmt::format("{}", fmt::join(row.missing, "; "))));
     for (std::size_t i = 0; i < score.columns.size(); ++i) text += "," + field(score.columns[i], row.cells[i]);
-    text += "\r\n";
+    text += "\n";
   }
   return text;
 }

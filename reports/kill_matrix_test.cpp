@@ -24,52 +24,57 @@ SuiteScore score() {
   s.suite_id = "two <balls>", s.suite_hash = "abc", s.plumb_version = "1.2.3", s.seed = 7, s.intensity = 0.5;
   s.columns = {{.id = "ball", .kind = "image", .fault = "", .noticed = 2, .only_here = {"flat"}},
                {.id = "egg", .kind = "image", .fault = "", .noticed = 0, .only_here = {}},
+               {.id = "growth", .kind = "growth", .fault = "", .noticed = 0, .only_here = {}},
                {.id = "check:S0", .kind = "check", .fault = "", .noticed = 1, .only_here = {}}};
-  ScoreRow flat{.id = "flat", .name = "The \"ball\" is flat", .step = "surfaces", .variant = "", .cells = {}, .missing = {}};
+  ScoreRow flat{
+      .id = "flat", .name = "The \"ball\" is flat", .step = "surfaces", .variant = "", .cells = {}, .missing = {}};
   flat.verdict = MutantVerdict::caught;
-  flat.cells = {noticed(12, true), right(), noticed(0, true)};
+  flat.cells = {noticed(12, true), right(), {}, noticed(0, true)};
   ScoreRow dim{.id = "dim", .name = "Too dim", .step = "lights", .variant = "", .cells = {}, .missing = {}};
   dim.verdict = MutantVerdict::elsewhere;
-  dim.cells = {{.notice = Notice::no_picture, .named = false, .found = "there is no usable picture"}, right(true), {}};
+  dim.cells = {
+      {.notice = Notice::no_picture, .named = false, .found = "there is no usable picture"}, right(true), {}, {}};
   dim.missing = {"egg: finds nothing wrong, or so"};
   ScoreRow up{.id = "up", .name = "Rounded up", .step = "lights", .variant = "up", .cells = {}, .missing = {}};
   up.verdict = MutantVerdict::accepted;
-  up.cells = {{.notice = Notice::by_variant, .named = false, .wrong_pixels = 5, .found = "5 pixels"}, right(), {}};
+  up.cells = {{.notice = Notice::by_variant, .named = false, .wrong_pixels = 5, .found = "5 pixels"}, right(), {}, {}};
   s.rows = {flat, dim, up};
   return s;
 }
 
 TEST(KillMatrixText, IsASignAPlaceWithALineForWhatDoesNotHold) {
-  EXPECT_EQ(kill_matrix_text(score()),
-            "        c\n"
-            "        h\n"
-            "        e\n"
-            "        c\n"
-            "      b k\n"
-            "      ae:\n"
-            "      lgS\n"
-            "      lg0\n"
-            "surfaces\n"
-            "flat  #.#\n"
-            "lights\n"
-            "dim   +!   caught only by what it does not name\n"
-            "up    ~.   accepted as the variant up\n"
-            "# noticed, + by what the mutant does not name; . right, ! though named; ~ a warning, or right by another "
-            "variant; ? undecided\n"
-            "\nNoticed by no other case than\n"
-            "  ball: flat\n"
-            "\nCases that notice nothing: egg\n"
-            "\ndim (caught only by what it does not name): egg: finds nothing wrong, or so\n"
-            "\nSuite two <balls>, seed 7, intensity 0.5: caught by all that they name: 1 of 2 known mistakes; 1 only by "
-            "what they do not name; 1 more accepted as variants\n");
+  EXPECT_EQ(
+      kill_matrix_text(score()),
+      "         c\n"
+      "         h\n"
+      "        ge\n"
+      "        rc\n"
+      "      b ok\n"
+      "      aew:\n"
+      "      lgtS\n"
+      "      lgh0\n"
+      "surfaces\n"
+      "flat  #. #\n"
+      "lights\n"
+      "dim   +!    caught only by what it does not name\n"
+      "up    ~.    accepted as the variant up\n"
+      "# noticed, + by what the mutant does not name; . right, ! though named; ~ a warning, or right by another "
+      "variant; ? undecided\n"
+      "\nNoticed by no other case than\n"
+      "  ball: flat\n"
+      "\nCases that notice nothing: egg\n"
+      "\nCases that no mutant here names: growth\n"
+      "\ndim (caught only by what it does not name): egg: finds nothing wrong, or so\n"
+      "\nSuite two <balls>, seed 7, intensity 0.5: caught by all that they name: 1 of 2 known mistakes; 1 only by "
+      "what they do not name; 1 more accepted as variants\n");
 }
 
 TEST(KillMatrixCsv, HasWrongPixelsOrAWord) {
   EXPECT_EQ(kill_matrix_csv(score()),
-            "mutant,step,verdict,missing,ball,egg,check:S0\r\n"
-            "flat,surfaces,caught,,12,0,wrong\r\n"
-            "dim,lights,elsewhere,\"egg: finds nothing wrong, or so\",no_picture,0,not_asked\r\n"
-            "up,lights,accepted,,5,0,not_asked\r\n");
+            "mutant,step,verdict,missing,ball,egg,growth,check:S0\n"
+            "flat,surfaces,caught,,12,0,not_asked,wrong\n"
+            "dim,lights,elsewhere,\"egg: finds nothing wrong, or so\",no_picture,0,not_asked,not_asked\n"
+            "up,lights,accepted,,5,0,not_asked,not_asked\n");
 }
 
 TEST(KillMatrixJson, HoldsAll) {
@@ -100,7 +105,8 @@ TEST(KillMatrixHtml, StandsAloneAndTellsItsPlaces) {
                         "</td><td class=\"cell idle\" title=\"flat, egg: 0 wrong pixels\">&#183;</td>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"cell other\" title=\"dim, ball: there is no usable picture\">&#9675;</td>"
                               "<td class=\"cell lacking\" title=\"dim, egg: 0 wrong pixels; the mutant names it\">!"
-                              "</td><td class=\"cell\"></td><td class=\"bad\">caught only by what it does not name"));
+                              "</td><td class=\"cell\"></td><td class=\"cell\"></td><td class=\"bad\">caught only by "
+                              "what it does not name"));
   EXPECT_THAT(page, HasSubstr("<td class=\"cell weak\""));
   EXPECT_THAT(page, HasSubstr("<li><b>dim</b> (caught only by what it does not name): egg: finds nothing wrong"));
   EXPECT_THAT(page, HasSubstr("<tr><th>egg</th><td>image</td><td class=\"bad\">0</td><td></td></tr>"));
@@ -108,10 +114,11 @@ TEST(KillMatrixHtml, StandsAloneAndTellsItsPlaces) {
 
 TEST(KillMatrix, AFaultOfOursIsSaidEverywhere) {
   SuiteScore s = score();
-  s.columns[2].fault = "the centre is off";
-  EXPECT_THAT(kill_matrix_text(s), HasSubstr("check:S0: wrong of the tracer without mistakes: the centre is off\n"));
-  EXPECT_THAT(kill_matrix_html(s), HasSubstr("<li><b>check:S0</b>: wrong of the tracer without mistakes"));
-  EXPECT_EQ(nlohmann::json::parse(kill_matrix_json(s))["columns"][2]["fault"], "the centre is off");
+  s.columns[3].fault = "the centre is off";
+  EXPECT_THAT(kill_matrix_text(s),
+              HasSubstr("check:S0: not right with the tracer without mistakes: the centre is off\n"));
+  EXPECT_THAT(kill_matrix_html(s), HasSubstr("<li><b>check:S0</b>: not right with the tracer without mistakes"));
+  EXPECT_EQ(nlohmann::json::parse(kill_matrix_json(s))["columns"][3]["fault"], "the centre is off");
   EXPECT_EQ(s.exit_status(), 3);
   EXPECT_EQ(score().exit_status(), 1);
 }

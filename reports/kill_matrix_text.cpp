@@ -23,6 +23,9 @@ char symbol(const ScoreCell& cell) {
   }
 }
 
+/// Without blanks at its end.
+std::string trimmed(const std::string& line) { return line.substr(0, line.find_last_not_of(' ') + 1); }
+
 /// The columns' names, written downwards.
 std::string heading(const SuiteScore& score, std::size_t indent) {
   std::size_t height = 0;
@@ -34,7 +37,7 @@ std::string heading(const SuiteScore& score, std::size_t indent) {
       const std::size_t above = height - c.id.size();
       row += line < above ? ' ' : c.id[line - above];
     }
-    text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+    text += trimmed(row) + "\n";
   }
   return text;
 }
@@ -47,10 +50,10 @@ std::string matrix(const SuiteScore& score) {
   for (const ScoreRow& row : score.rows) {
     if (row.step != step) text += row.step + "\n";
     step = row.step;
-    text += fmt::format("{:<{}}  ", row.id, width);
-    for (const ScoreCell& cell : row.cells) text += symbol(cell);
-    if (row.verdict != MutantVerdict::caught) text += "  " + verdict_text(row);
-    text += "\n";
+    std::string line = fmt::format("{:<{}}  ", row.id, width);
+    for (const ScoreCell& cell : row.cells) line += symbol(cell);
+    if (row.verdict != MutantVerdict::caught) line += "  " + verdict_text(row);
+    text += trimmed(line) + "\n";
   }
   return text +
          "# noticed, + by what the mutant does not name; . right, ! though named; ~ a warning, or right by another "
@@ -61,21 +64,25 @@ std::string joined(const std::vector<std::string>& words) { return fmt::format("
 
 std::string worth(const SuiteScore& score) {
   std::string alone;
-  std::vector<std::string> idle;
-  for (const ScoreColumn& c : score.columns) {
+  std::vector<std::string> idle, not_asked;
+  for (std::size_t i = 0; i < score.columns.size(); ++i) {
+    const ScoreColumn& c = score.columns[i];
     if (!c.only_here.empty()) alone += fmt::format("  {}: {}\n", c.id, joined(c.only_here));
-    if (c.kind != "check" && c.noticed == 0) idle.push_back(c.id);
+    const bool asked =
+        std::ranges::any_of(score.rows, [&](const ScoreRow& row) { return row.cells[i].notice != Notice::not_asked; });
+    if (c.kind != "check" && c.noticed == 0) (asked ? idle : not_asked).push_back(c.id);
   }
   std::string text;
   if (!alone.empty()) text += "\nNoticed by no other case than\n" + alone;
   if (!idle.empty()) text += "\nCases that notice nothing: " + joined(idle) + "\n";
+  if (!not_asked.empty()) text += "\nCases that no mutant here names: " + joined(not_asked) + "\n";
   return text;
 }
 
 std::string problems(const SuiteScore& score) {
   std::string text;
   for (const ScoreColumn& c : score.columns)
-    if (!c.fault.empty()) text += fmt::format("{}: wrong of the tracer without mistakes: {}\n", c.id, c.fault);
+    if (!c.fault.empty()) text += fmt::format("{}: not right with the tracer without mistakes: {}\n", c.id, c.fault);
   for (const ScoreRow& row : score.rows)
     for (const std::string& what : row.missing) text += fmt::format("{} ({}): {}\n", row.id, verdict_text(row), what);
   return text.empty() ? "" : "\n" + text;
@@ -106,9 +113,8 @@ std::string verdict_text(const ScoreRow& row) {
 }
 
 std::string score_summary(const SuiteScore& score) {
-  std::string text =
-      fmt::format("caught by all that they name: {} of {} known mistakes", score.count(MutantVerdict::caught),
-                  score.to_catch());
+  std::string text = fmt::format("caught by all that they name: {} of {} known mistakes",
+                                 score.count(MutantVerdict::caught), score.to_catch());
   const auto add = [&](MutantVerdict verdict, const char* what) {
     if (const int n = score.count(verdict); n > 0) text += fmt::format("; {} {}", n, what);
   };

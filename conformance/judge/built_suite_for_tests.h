@@ -41,8 +41,8 @@ class BuiltSuiteTest : public testing::Test {
       write("built/" + id + ".txt", id);
       write_envelope(envelope(100), folder_ / "built" / id / "nearest");
       if (id == "c") write_envelope(envelope(140), folder_ / "built/c/up");
-      suite += "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nenvelopes = [\"" + id + "/nearest\", \"" + id +
-               (id == "c" ? "/up\"]\n" : "/nearest\"]\n");
+      suite += "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nenvelopes = [\"" + id + "/nearest\", \"" +
+               id + (id == "c" ? "/up\"]\n" : "/nearest\"]\n");
     }
     write("built/suite.toml", suite);
     fs::create_directories(folder_ / "built/fingerprints");

@@ -17,8 +17,8 @@ class PictureScorer {
   PictureScorer(const SuiteCase& suite_case, const std::vector<Variant>& variants);
 
   /// Judges the picture by each variant, as grading does. Where the fingerprint has none, the program drew what the
-  /// first variant holds for right. Throws InputError for a picture that cannot be read or is of another size. Safe from
-  /// several threads.
+  /// first variant holds for right. Throws InputError for a picture that cannot be read or is of another size. Safe
+  /// from several threads.
   ScoreCell judge(const Fingerprint& fingerprint) const;
 
  private:

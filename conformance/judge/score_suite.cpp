@@ -26,9 +26,10 @@ constexpr double kCheckSeconds = 600, kCheckWallSeconds = 1800;
 Suite built_suite(const fs::path& built) {
   Suite suite = read_suite(fs::is_directory(built) ? built / "suite.toml" : built);
   if (suite.needs_build() || suite.fingerprints.empty())
-    throw InputError({suite.file.string()},
-                     "holds no pictures of known mistakes, expected what 'plumb suite build' makes with the programs of "
-                     "'./dev mutants'");
+    throw InputError(
+        {suite.file.string()},
+        "holds no pictures of known mistakes, expected what 'plumb suite build' makes with the programs of "
+        "'./dev mutants'");
   return suite;
 }
 

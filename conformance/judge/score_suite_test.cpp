@@ -33,8 +33,7 @@ class ScoreSuiteTest : public BuiltSuiteTest {
 };
 
 TEST_F(ScoreSuiteTest, CaughtByAllThatItNamesAndByOthers) {
-  const ScoreRow row = row_of("caught_by = [\"a\", \"b\"]",
-                              {{"a", picture(100, 20)}, {"c", picture(90)}}, {"b"});
+  const ScoreRow row = row_of("caught_by = [\"a\", \"b\"]", {{"a", picture(100, 20)}, {"c", picture(90)}}, {"b"});
   EXPECT_EQ(row.verdict, MutantVerdict::caught);
   EXPECT_THAT(notices(row), ElementsAre(Notice::wrong, Notice::no_picture, Notice::wrong));
   EXPECT_EQ(row.cells[0].wrong_pixels, 20);
@@ -205,7 +204,8 @@ TEST_F(ScoreSuiteTest, RefusesWhatCannotBeMeasured) {
   write_mutant("m", "caught_by = [\"check:M4\"]");
   EXPECT_THAT(complaint(request("n*")), HasSubstr("no known mistake matches 'n*'"));
   EXPECT_THAT(complaint(request()), HasSubstr("mutants/m: this program with a known mistake does not exist"));
-  write("built/suite.toml", "[suite]\nid = \"s\"\nschema = 1\nown_runner = true\n[[case]]\nid = \"a\"\nscene = \"a.txt\"\n");
+  write("built/suite.toml",
+        "[suite]\nid = \"s\"\nschema = 1\nown_runner = true\n[[case]]\nid = \"a\"\nscene = \"a.txt\"\n");
   EXPECT_THAT(complaint(request()), HasSubstr("holds no pictures of known mistakes"));
 }
 

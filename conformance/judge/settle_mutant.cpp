@@ -5,7 +5,9 @@
 namespace plumb {
 namespace {
 
-bool notices(const ScoreColumn& column, const ScoreCell& cell) { return column.fault.empty() && is_noticed(cell.notice); }
+bool notices(const ScoreColumn& column, const ScoreCell& cell) {
+  return column.fault.empty() && is_noticed(cell.notice);
+}
 
 std::string unnoticed_text(const ScoreCell& cell) {
   switch (cell.notice) {

@@ -86,7 +86,7 @@ struct ScoreRow {
   std::vector<std::string> missing;
 };
 
-/// The kill matrix of a suite: mutants by cases and checks (docs/known-bugs.md).
+/// The kill matrix of a suite: mutants by cases and checks (docs/pa3-suite.md).
 struct SuiteScore {
   std::string suite_id, suite_hash, plumb_version;
   /// Of checks and growth cases.

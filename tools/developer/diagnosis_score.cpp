@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "conformance/diagnosis/deviation.h"
+#include "conformance/judge/suite.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
@@ -130,14 +131,14 @@ double wilson(std::int64_t hits, std::int64_t tries, int side) {
 double Rate::low() const { return wilson(hits, tries, -1); }
 double Rate::high() const { return wilson(hits, tries, 1); }
 
-DiagnosisKnowledge read_knowledge(const fs::path& folder) {
+DiagnosisKnowledge read_knowledge(const fs::path& built) {
+  const Suite suite = read_suite(built / "suite.toml");
+  if (suite.fingerprints.empty())
+    throw InputError({suite.file.string()}, "has no fingerprints, expected a suite that was built with them");
   DiagnosisKnowledge knowledge;
-  for (const char* part : {"envelopes", "fingerprints"})
-    if (!fs::is_directory(folder / part))
-      throw InputError({(folder / part).string()}, "does not exist, expected a built suite");
-  for (const auto& entry : fs::directory_iterator(folder / "envelopes"))
-    if (entry.is_directory()) knowledge.envelopes[entry.path().filename()] = read_envelope(entry.path());
-  knowledge.fingerprints = read_fingerprints(folder / "fingerprints");
+  for (const SuiteCase& c : suite.cases)
+    if (!c.envelopes.empty()) knowledge.envelopes[c.id] = read_envelope(c.envelopes.front());
+  knowledge.fingerprints = read_fingerprints(suite.fingerprints);
   return knowledge;
 }
 

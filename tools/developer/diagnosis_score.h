@@ -16,9 +16,9 @@ struct DiagnosisKnowledge {
   std::vector<Fingerprint> fingerprints;
 };
 
-/// Reads `envelopes/CASE/` and `fingerprints/ID/` of the folder. Throws InputError if one of the two is missing, or as
-/// their readers.
-DiagnosisKnowledge read_knowledge(const std::filesystem::path& folder);
+/// Of a built suite, with the envelopes of its first variant. Throws InputError as read_suite and read_envelope, and for a
+/// suite without fingerprints.
+DiagnosisKnowledge read_knowledge(const std::filesystem::path& built);
 
 /// The pictures of one program with planted mistakes.
 struct PlantedPictures {

@@ -21,6 +21,11 @@ class Scored : public ::testing::Test {
     cases.add_mistake("corner", corner_);
     cases.add_mistake("band", band_);
     for (const DiagnosisCase& c : cases.cases) write_envelope(*c.envelope, folder_ / "built/envelopes" / c.id);
+    std::ofstream(folder_ / "built/scene.txt") << "a scene";
+    std::ofstream suite(folder_ / "built/suite.toml");
+    suite << "[suite]\nid = \"s\"\nschema = 1\nfingerprints = \"fingerprints\"\n[runner]\nrender = [\"/bin/true\"]\n";
+    for (const DiagnosisCase& c : cases.cases)
+      suite << "[[case]]\nid = \"" << c.id << "\"\nscene = \"scene.txt\"\nenvelopes = [\"envelopes/" << c.id << "\"]\n";
     for (const Fingerprint& f : cases.fingerprints) write_fingerprint(f, folder_ / "built/fingerprints" / f.id);
   }
   void TearDown() override { fs::remove_all(folder_); }

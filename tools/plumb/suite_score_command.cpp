@@ -28,6 +28,14 @@ struct Arguments {
   double intensity = 1;
 };
 
+void require_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    throw InputError({folder.string()}, "cannot make the folder for the kill matrix: " + error.message());
+  require_writable(folder / "kill-matrix.csv");
+}
+
 int score(const Arguments& a) {
   SuiteScoreRequest request;
   request.built = a.built;
@@ -39,8 +47,7 @@ int score(const Arguments& a) {
   request.intensity = a.intensity;
   request.plumb_version = PLUMB_VERSION;
   const fs::path out = a.out.empty() ? fs::path("plumb-results/score") : fs::path(a.out);
-  fs::create_directories(out);
-  require_writable(out / "kill-matrix.csv");
+  require_folder(out);
 
   stop_on_signals();
   SuiteScore result;

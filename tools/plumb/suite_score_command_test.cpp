@@ -15,7 +15,8 @@ class SuiteScoreCommandTest : public ProgramTest {
     write("right.xml", scene("0.4"));
     write("wrong.xml", scene("0.1"));
     write("suite.toml",
-          "[suite]\nid = \"lights\"\nschema = 1\nown_runner = true\n[[case]]\nid = \"two-lights\"\nscene = \"right.xml\"\n"
+          "[suite]\nid = \"lights\"\nschema = 1\nown_runner = true\n[[case]]\nid = \"two-lights\"\nscene = "
+          "\"right.xml\"\n"
           "[[case]]\nid = \"phong\"\nscene = \"right.xml\"\n");
     EXPECT_EQ(plumb("suite build suite.toml -o built --without-fingerprints"), 0) << complained_;
     EXPECT_EQ(plumb("render wrong.xml -o wrong.png"), 0) << complained_;
@@ -35,7 +36,8 @@ class SuiteScoreCommandTest : public ProgramTest {
           "{\"schema\": 1, \"name\": \"n\", \"hint\": \"h\", \"step\": \"lights\", \"parts\": [], \"cases\": " + cases +
               ", \"no_picture\": []}");
     for (const char* name : {"two-lights", "phong"})
-      fs::copy_file(folder_ / "wrong.png", folder_ / "built/fingerprints/lights-overwrite" / (std::string(name) + ".png"),
+      fs::copy_file(folder_ / "wrong.png",
+                    folder_ / "built/fingerprints/lights-overwrite" / (std::string(name) + ".png"),
                     fs::copy_options::overwrite_existing);
   }
   int score(const std::string& more = "--filter lights-overwrite") {
@@ -74,7 +76,7 @@ TEST_F(SuiteScoreCommandTest, ASuiteThatTheTracerItselfFailsIsOurFault) {
     fs::copy_file(folder_ / "wrong.png", folder_ / "built/envelopes/phong/course" / (std::string(bound) + ".png"),
                   fs::copy_options::overwrite_existing);
   EXPECT_EQ(score(), 3) << said_ << complained_;
-  EXPECT_THAT(said_, HasSubstr("phong: wrong of the tracer without mistakes: "));
+  EXPECT_THAT(said_, HasSubstr("phong: not right with the tracer without mistakes: "));
 }
 
 TEST_F(SuiteScoreCommandTest, SaysWhatItNeeds) {

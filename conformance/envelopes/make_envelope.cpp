@@ -78,8 +78,7 @@ void settle_pixel(std::span<const SampleHull> samples, const Color& reference, s
 bool has_dielectric(const ObjectDescription& object) {
   if (object.kind->name == "Glass" || object.kind->name == "Glazed") return true;
   for (const Property& p : object.properties)
-    if (const auto* inner = std::get_if<ObjectPointer>(&p.value); inner && *inner && has_dielectric(**inner))
-      return true;
+    if (const auto* inner = std::get_if<ObjectPointer>(&p.value); inner && *inner && has_dielectric(**inner)) return true;
   return false;
 }
 
@@ -92,10 +91,6 @@ std::span<const Perturbation> perturbations() {
     constexpr double kShift = 1e-3;
     // Vertices, centres and radii as they are after a handful of roundings to single precision.
     constexpr double kNoise = 0x1p-22;
-    // A hit in single precision: each of the few terms of its equation is rounded by 2^-24 of numbers as large as the
-    // scene. Along the surface (a light at its horizon) such a point lies in its own shadow, in spots that depend on
-    // each program's roundings; all of them lie where the worst point does.
-    constexpr double kSunk = 0x1p-22;
     return std::vector<Perturbation>{
         {"double", {}},
         {"double, t_min 1e-9", {.t_min = 1e-9}},
@@ -110,7 +105,6 @@ std::span<const Perturbation> perturbations() {
         {"rays upwards", {.shift_y = kShift}},
         {"rays downwards", {.shift_y = -kShift}},
         {"vertices", {.vertex_noise = kNoise}},
-        {"hits beneath their surface", {.t_min = 1e-4, .sunk = kSunk}},
     };
   }();
   return kList;

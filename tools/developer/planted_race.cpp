@@ -1,5 +1,5 @@
-// Adds to one variable from two threads of the renderer's own pool, without a lock: the tsan preset must report it. For long enough that the second
-// thread comes to it on a busy machine, too.
+// Adds to one variable from two threads of the renderer's own pool, without a lock: the tsan preset must report it. For
+// long enough that the second thread comes to it on a busy machine, too.
 
 #include <cstdio>
 

@@ -73,8 +73,6 @@ class Tracer {
   /// All vectors of unit length; to_viewer against the ray.
   struct Point {
     V position, normal, to_viewer;
-    /// How far the point may lie from the surface.
-    Real sunk = 0;
   };
 
   enum Note : std::uint32_t { kMissed = 1, kDropped, kReflected, kRefracted, kSurface, kLights };
@@ -87,8 +85,7 @@ class Tracer {
       return {};
     }
     const Placement<A>& placed = scene_.placements[hit->placement];
-    const V position = scene_.position(ray, *hit);
-    const Point point{position, scene_.normal(ray, *hit), unit(-ray.direction), sunk(ray, position)};
+    const Point point{scene_.position(ray, *hit), scene_.normal(ray, *hit), unit(-ray.direction)};
     const bool smooth = placed.is_mesh && !scene_.meshes[placed.shape].normals.empty();
     note_surface(hit->placement + 1, smooth ? 0 : hit->part, path.depth);
     const auto cosine = static_cast<float>(std::fabs(dot(point.normal, point.to_viewer)));
@@ -100,19 +97,6 @@ class Tracer {
     if (shader.coat == Coat::glazed) return shade_glazed(shader, point, path);
     if (shader.coat == Coat::glass) return shade_glass(shader, point, path);
     return shade_matt(shader, point, path);
-  }
-
-  /// The numbers from which a hit is computed are about as large as the ray's origin and the way from there.
-  Real sunk(const Ray<A>& ray, const V& position) const {
-    if (options_.sunk == 0) return 0;
-    const V way = position - ray.origin;
-    return static_cast<Real>(options_.sunk) * (std::sqrt(dot(ray.origin, ray.origin)) + std::sqrt(dot(way, way)));
-  }
-
-  /// Where a ray in that direction leaves the point: on the far side of the surface by as much as the point is sunk.
-  static V start(const Point& point, const V& direction) {
-    if (point.sunk == 0) return point.position;
-    return point.position - (dot(point.normal, direction) > 0 ? point.sunk : -point.sunk) * point.normal;
   }
 
   /// Lambertian and Phong, by Blinn's half vector [Blinn 1977].
@@ -133,7 +117,7 @@ class Tracer {
         scattered = scattered + highlight * shader.specular;
       }
       if (!(diffuse > 0 || highlight > 0)) continue;
-      if (scene_.blocks({start(point, to_light), to_light, static_cast<Real>(options_.t_min), 1})) continue;
+      if (scene_.blocks({point.position, to_light, static_cast<Real>(options_.t_min), 1})) continue;
       color = color + scattered * light.intensity;
       lit += mixed(0, static_cast<std::uint32_t>(number) + 1);  // a sum does not depend on the order
     }
@@ -184,7 +168,7 @@ class Tracer {
       note(kDropped, 0);
       return {};
     }
-    return trace({start(from, direction), direction, static_cast<Real>(options_.t_min), Bounds<A>::kInfinity}, next);
+    return trace({from.position, direction, static_cast<Real>(options_.t_min), Bounds<A>::kInfinity}, next);
   }
 
   void note_surface(std::uint32_t surface, std::uint32_t face, int depth) {

@@ -29,10 +29,6 @@ struct TextbookOptions {
   /// Each coordinate of vertices, centres and corners, and each radius, is multiplied by 1 + vertex_noise r, where r
   /// in [-1, 1] depends on the surface, the vertex and the axis alone. Equal coordinates of one box stay equal.
   double vertex_noise = 0;
-  /// Rays leave a hit from this far on the wrong side of its surface, relative to the size of the numbers it comes from
-  /// (the ray's origin and its length): as hits that are rounded for the worse. Where a ray is nearly along the surface
-  /// it meets it again.
-  double sunk = 0;
 
   /// What the accepted variant says: N x N samples a pixel, deepest ray, cutoff, and Schlick's approximation in place
   /// of Fresnel's equations.

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 constexpr int kSide = 450;
 constexpr int kMistakes = 60;
 
-/// A scene of the library at 450 x 450, its envelope and right picture, and the fingerprints of 60 mistakes, on the disk:
-/// all as suite building leaves them.
+/// A scene of the library at 450 x 450, its envelope and right picture, and the fingerprints of 60 mistakes, on the
+/// disk: all as suite building leaves them.
 class JudgeBench {
  public:
   JudgeBench() {
@@ -64,8 +64,7 @@ class JudgeBench {
   }
   std::string diagnose() const {
     const std::vector<std::uint8_t> levels = StoredPicture(folder_ / "wrong.png").levels(kSide, kSide);
-    const std::vector<DiagnosisCase> cases{
-        {.id = "glazed", .envelope = &envelope_, .tolerance = 1, .levels = levels}};
+    const std::vector<DiagnosisCase> cases{{.id = "glazed", .envelope = &envelope_, .tolerance = 1, .levels = levels}};
     const Diagnosis found = plumb::diagnose(cases, read_fingerprints(folder_ / "fingerprints"));
     return found.suspicions.empty() ? "unknown" : found.suspicions.front().id;
   }
@@ -111,7 +110,11 @@ void diagnose_wrong_picture(benchmark::State& state) {
   timed(state, [] { return judge_bench().diagnose() == "mistake-17"; });
 }
 
-BENCHMARK(judge_right_picture)->Name("judge a right picture, 450x450")->UseManualTime()->Iterations(25)->Unit(benchmark::kMillisecond);
+BENCHMARK(judge_right_picture)
+    ->Name("judge a right picture, 450x450")
+    ->UseManualTime()
+    ->Iterations(25)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(diagnose_wrong_picture)
     ->Name("diagnose a wrong picture, 450x450, against 60 mistakes")
     ->UseManualTime()

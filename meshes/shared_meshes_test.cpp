@@ -5,9 +5,9 @@
 #include <map>
 
 #include "meshes/formats/file_bytes.h"
+#include "meshes/formats/write_msh.h"
 #include "meshes/mesh_files_for_tests.h"
 #include "meshes/read_mesh.h"
-#include "meshes/formats/write_msh.h"
 
 namespace plumb {
 namespace {

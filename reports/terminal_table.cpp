@@ -35,7 +35,8 @@ std::string diagnosis_text(const ResultSet& results) {
   if (!results.diagnosis) return text;
   const std::vector<Suspicion>& suspicions = results.diagnosis->suspicions;
   if (suspicions.empty()) return text + "\nWhat is wrong: unknown, no known mistake draws such pictures.\n";
-  text += results.diagnosis->confident ? "\nWhat is wrong, most likely:\n" : "\nWhat may be wrong, the likeliest first:\n";
+  text +=
+      results.diagnosis->confident ? "\nWhat is wrong, most likely:\n" : "\nWhat may be wrong, the likeliest first:\n";
   constexpr std::size_t kMost = 3;
   for (std::size_t i = 0; i < std::min(kMost, suspicions.size()); ++i) {
     const Suspicion& s = suspicions[i];
@@ -43,8 +44,8 @@ std::string diagnosis_text(const ResultSet& results) {
     text += s.missed >= 0.005 ? fmt::format("; {:.0f} % of where it would show is right)\n", 100 * s.missed) : ")\n";
     if (!s.hint.empty()) text += "   " + harmless(s.hint) + "\n";
     for (const DiagnosisPixel& p : s.pixels)
-      text += fmt::format("   {} ({},{}): expected {} {} {}, found {} {} {}, with this mistake {} {} {}\n", p.case_id, p.x,
-                          p.y, p.expected[0], p.expected[1], p.expected[2], p.found[0], p.found[1], p.found[2],
+      text += fmt::format("   {} ({},{}): expected {} {} {}, found {} {} {}, with this mistake {} {} {}\n", p.case_id,
+                          p.x, p.y, p.expected[0], p.expected[1], p.expected[2], p.found[0], p.found[1], p.found[2],
                           p.suspected[0], p.suspected[1], p.suspected[2]);
     if (results.diagnosis->confident) break;
   }

@@ -43,8 +43,9 @@ std::string scene_with_camera(const std::filesystem::path& scene, const CameraPl
   int cameras = 0;
   for (const pugi::xml_node child : document.document_element())
     if (named(child, "camera")) camera = child, ++cameras;
-  if (cameras != 1 || camera.attribute("ref"))
-    throw InputError({scene.string()}, "has no <camera> of its own to be moved, expected exactly one without 'ref'");
+  if (cameras > 1 || camera.attribute("ref"))
+    throw InputError({scene.string()}, "has no <camera> of its own to be moved, expected at most one, without 'ref'");
+  if (cameras == 0) camera = document.document_element().prepend_child("camera");
   set_value(camera, "viewPoint", triple_text(place.view_point));
   set_value(camera, "viewDir", triple_text(place.view_dir));
   set_value(camera, "viewUp", triple_text(place.view_up));

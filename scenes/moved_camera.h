@@ -18,8 +18,8 @@ struct CameraPlace {
 };
 
 /// The scene file's text with its camera moved: the values of the place are written with 17 digits, in place of
-/// those that were there (names regardless of case); all the rest stays as it was. Throws InputError for a file that is
-/// no XML, or without exactly one `camera` element of its own values (one that is a `ref` has none).
+/// those that were there (names regardless of case), or in a new `camera` element where there is none; all the rest
+/// stays as it was. Throws InputError for a file that is no XML, several cameras, or one that is a `ref`.
 std::string scene_with_camera(const std::filesystem::path& scene, const CameraPlace& place);
 
 }  // namespace plumb

@@ -1,4 +1,5 @@
-// The wide hierarchy, with the exact decisions that renders use, and with plain Moller-Trumbore in doubles in its leaves.
+// The wide hierarchy, with the exact decisions that renders use, and with plain Moller-Trumbore in doubles in its
+// leaves.
 #include "renderer/accel/bvh8.h"
 
 #include <optional>

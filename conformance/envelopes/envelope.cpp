@@ -67,7 +67,8 @@ Envelope read_envelope(const fs::path& folder) {
   const std::vector<std::uint8_t> grey = read_levels(folder / "reasons.png", envelope);
   for (std::size_t i = 0; i < grey.size(); i += 3) {
     if (grey[i] % kGreyStep != 0 || grey[i] / kGreyStep >= static_cast<int>(kPixelReasons))
-      throw InputError({(folder / "reasons.png").string()}, fmt::format("holds the grey {}, which is no reason", grey[i]));
+      throw InputError({(folder / "reasons.png").string()},
+                       fmt::format("holds the grey {}, which is no reason", grey[i]));
     envelope.reasons.push_back(static_cast<PixelReason>(grey[i] / kGreyStep));
   }
   for (std::size_t i = 0; i < envelope.nominal.size(); ++i)

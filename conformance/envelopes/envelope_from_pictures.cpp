@@ -26,9 +26,9 @@ std::vector<Picture> read_pictures(const fs::path& folder) {
     const Picture& p = pictures.back();
     if (p.is_linear()) throw InputError({file.string()}, "is linear, expected 8-bit levels (PNG or PPM)");
     if (p.width != pictures.front().width || p.height != pictures.front().height)
-      throw InputError({file.string()}, fmt::format("is {}x{}, expected {}x{} as '{}'", p.width, p.height,
-                                                    pictures.front().width, pictures.front().height,
-                                                    files.front().filename().string()));
+      throw InputError({file.string()},
+                       fmt::format("is {}x{}, expected {}x{} as '{}'", p.width, p.height, pictures.front().width,
+                                   pictures.front().height, files.front().filename().string()));
   }
   return pictures;
 }
@@ -57,7 +57,8 @@ void guess_edges(Envelope& envelope) {
           }
       }
       if (step <= kEdgeLevels) continue;
-      const std::size_t p = static_cast<std::size_t>(y) * static_cast<std::size_t>(envelope.width) + static_cast<std::size_t>(x);
+      const std::size_t p =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(envelope.width) + static_cast<std::size_t>(x);
       envelope.reasons[p] = PixelReason::silhouette;
       for (std::size_t c = 0; c < 3; ++c) {
         envelope.low[3 * p + c] = static_cast<std::uint8_t>(low[c]);

@@ -44,15 +44,18 @@ double median_distance(const Scene& scene) {
 }  // namespace
 
 CameraPlace jittered_camera(const SceneDescription& description, const Scene& scene, std::uint64_t seed, int view) {
-  const ObjectDescription& camera = *description.scene->object("camera");
+  CameraPlace place{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, std::nullopt};  // where a scene has no camera
+  if (const ObjectPointer camera = description.scene->object("camera")) {
+    place = {camera->point("viewPoint"), camera->vector("viewDir"), camera->vector("viewUp"), std::nullopt};
+    if (camera->has("projNormal")) place.proj_normal = camera->vector("projNormal");
+  }
   Random random(seed, description.file.filename().string(), static_cast<std::uint64_t>(view));
   const Vec3 k = kHalfTangent * in_ball(random);
-  const Point3 eye = camera.point("viewPoint");
-  const Vec3 view_dir = camera.vector("viewDir");
-  const Vec3 to_target = median_distance(scene) * normalized(view_dir);
-  CameraPlace place{eye + (to_target - turned(to_target, k)), turned(view_dir, k), turned(camera.vector("viewUp"), k),
-                    std::nullopt};
-  if (camera.has("projNormal")) place.proj_normal = turned(camera.vector("projNormal"), k);
+  const Vec3 to_target = median_distance(scene) * normalized(place.view_dir);
+  place.view_point = place.view_point + (to_target - turned(to_target, k));
+  place.view_dir = turned(place.view_dir, k);
+  place.view_up = turned(place.view_up, k);
+  if (place.proj_normal) place.proj_normal = turned(*place.proj_normal, k);
   return place;
 }
 

@@ -78,7 +78,8 @@ void settle_pixel(std::span<const SampleHull> samples, const Color& reference, s
 bool has_dielectric(const ObjectDescription& object) {
   if (object.kind->name == "Glass" || object.kind->name == "Glazed") return true;
   for (const Property& p : object.properties)
-    if (const auto* inner = std::get_if<ObjectPointer>(&p.value); inner && *inner && has_dielectric(**inner)) return true;
+    if (const auto* inner = std::get_if<ObjectPointer>(&p.value); inner && *inner && has_dielectric(**inner))
+      return true;
   return false;
 }
 

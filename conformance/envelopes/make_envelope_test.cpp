@@ -117,5 +117,14 @@ TEST(JitteredCamera, StaysNearAndIsTheSameForASeed) {
   EXPECT_NEAR(dot(normalized(*one.proj_normal), after), dot(normalized(camera.vector("projNormal")), before), 1e-12);
 }
 
+TEST(JitteredCamera, OfASceneWithoutOneIsTheDefaultCamerasMoved) {
+  const ReadScene read = scene_of("<surface type='Sphere'><center>0 0 -4</center></surface>");
+  const CameraPlace place = jittered_camera(read.description, read.scene, 3, 1);
+  EXPECT_NE(place.view_point, (Point3{0, 0, 0}));
+  EXPECT_LT(dot(normalized(place.view_dir), Vec3{0, 0, -1}), 1);
+  EXPECT_GT(dot(normalized(place.view_dir), Vec3{0, 0, -1}), 0.9975);
+  EXPECT_FALSE(place.proj_normal.has_value());
+}
+
 }  // namespace
 }  // namespace plumb

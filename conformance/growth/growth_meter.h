@@ -13,8 +13,8 @@ struct TimedRun {
   double rays = 0, seconds = 0;
 };
 
-/// The axis-aligned view is a strip of 15 columns: odd, so that there is a middle one, whose rays have an exact 0 in their
-/// direction; narrow, so that it counts. At most 32,768 high: many formats and programs hold no more than 65,535.
+/// The axis-aligned view is a strip of 15 columns: odd, so that there is a middle one, whose rays have an exact 0 in
+/// their direction; narrow, so that it counts. At most 32,768 high: many formats and programs hold no more than 65,535.
 constexpr int kStripWidth = 15;
 constexpr double kMostStripRays = 15.0 * 32'768;
 

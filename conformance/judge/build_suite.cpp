@@ -13,10 +13,10 @@
 #include "conformance/judge/suite.h"
 #include "conformance/judge/suite_manifest.h"
 #include "conformance/judge/toml_fields.h"
-#include "renderer/math/input_error.h"
 #include "renderer/build_scene.h"
 #include "renderer/image/staged_file.h"
 #include "renderer/kinds.h"
+#include "renderer/math/input_error.h"
 #include "scenes/dialect.h"
 #include "scenes/read_scene.h"
 

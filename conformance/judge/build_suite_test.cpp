@@ -75,7 +75,8 @@ TEST_F(BuildSuiteTest, HoldsAllThatGradingNeeds) {
   const Suite suite = read_suite(folder_ / "moved/suite.toml");
   EXPECT_FALSE(suite.needs_build());
   ASSERT_EQ(suite.cases.size(), 2u);
-  EXPECT_EQ(suite.cases[0].envelopes[0], suite.cases[0].envelopes[1]) << "the cutoff makes no difference to matt things";
+  EXPECT_EQ(suite.cases[0].envelopes[0], suite.cases[0].envelopes[1])
+      << "the cutoff makes no difference to matt things";
   EXPECT_NE(suite.cases[1].envelopes[0], suite.cases[1].envelopes[1]);
   EXPECT_THAT(suite.cases[1].prerequisites, ElementsAre(0u));
   EXPECT_EQ(read_envelope(suite.cases[1].envelopes[1]).width, 40);

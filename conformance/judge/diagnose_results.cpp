@@ -71,12 +71,11 @@ std::vector<Suspicion> whole_picture_findings(const std::vector<DiagnosisCase>& 
 
 void diagnose_results(const Suite& suite, const ResultFolder& folder, ResultSet& results) {
   if (suite.fingerprints.empty() || results.variant.empty()) return;
-  const bool any_wrong = std::ranges::any_of(results.cases, [](const CaseResult& c) {
-    return !c.by_variant.empty() && !is_right(c.check.verdict);
-  });
+  const bool any_wrong = std::ranges::any_of(
+      results.cases, [](const CaseResult& c) { return !c.by_variant.empty() && !is_right(c.check.verdict); });
   if (!any_wrong) return;
-  const auto variant = static_cast<std::size_t>(
-      std::ranges::find(suite.variants, results.variant, &Variant::id) - suite.variants.begin());
+  const auto variant = static_cast<std::size_t>(std::ranges::find(suite.variants, results.variant, &Variant::id) -
+                                                suite.variants.begin());
   std::deque<Envelope> envelopes;
   std::deque<std::vector<std::uint8_t>> pictures;
   std::vector<DiagnosisCase> cases;

@@ -42,7 +42,8 @@ class GradeResultsTest : public testing::Test {
     write_png(kOther, 2, 1, folder_ / "other.png");
     fs::rename(folder_ / "other.png", folder_ / "sub/other");
     std::string suite =
-        "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\n[[variant]]\nid = \"v\"\n[runner]\nbuild = [[\"true\"]]\nrender "
+        "[suite]\nid = \"s\"\nschema = 1\ndialect = \"d\"\n[[variant]]\nid = \"v\"\n[runner]\nbuild = "
+        "[[\"true\"]]\nrender "
         "= [\"/bin/sh\", \"render.sh\", \"{scene_name}\", \"{output}\"]\n";
     std::string script = "pwd; date +%N; cat answer >/dev/null\ncase $1 in\n";
     for (const auto& [id, command] : commands_) {

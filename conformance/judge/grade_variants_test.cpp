@@ -7,8 +7,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Cases with envelopes of two variants, `light` and `dark`, of a picture of 20 x 10 in one level; the submission writes
-/// the pictures that lie ready in it as CASE.png.
+/// Cases with envelopes of two variants, `light` and `dark`, of a picture of 20 x 10 in one level; the submission
+/// writes the pictures that lie ready in it as CASE.png.
 class GradeVariantsTest : public GradeRulesTest {
  protected:
   static constexpr std::uint8_t kLight = 200, kDark = 90;
@@ -19,8 +19,8 @@ class GradeVariantsTest : public GradeRulesTest {
     add_envelope("e/" + id + "/dark", differs ? kDark : kLight);
     write_png(std::vector<std::uint8_t>(600, drawn), 20, 10, folder_ / "sub" / (id + ".hidden.png"));
     fs::rename(folder_ / "sub" / (id + ".hidden.png"), folder_ / "sub" / id);
-    cases_ += "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nenvelopes = [\"e/" + id + "/light\", \"e/" + id +
-              "/dark\"]\npoints = 10\n";
+    cases_ += "[[case]]\nid = \"" + id + "\"\nscene = \"" + id + ".txt\"\nenvelopes = [\"e/" + id + "/light\", \"e/" +
+              id + "/dark\"]\npoints = 10\n";
   }
   void add_envelope(const std::string& name, std::uint8_t level) const {
     Envelope e;

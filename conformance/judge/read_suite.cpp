@@ -89,7 +89,8 @@ class SuiteReader {
     if (fields.integer("schema", 0, 0, 1000) != 1) fields.fail("schema", "must be 1, the version of this format");
     suite_.dialect = fields.text("dialect", "");
     suite_.undecidable_limit = fields.number("undecidable_limit", suite_.undecidable_limit, 0);
-    if (fields.has("fingerprints")) suite_.fingerprints = existing_folder(fields, "fingerprints", fields.text("fingerprints"));
+    if (fields.has("fingerprints"))
+      suite_.fingerprints = existing_folder(fields, "fingerprints", fields.text("fingerprints"));
     suite_.total_seconds = fields.number("total_seconds", suite_.total_seconds, 1);
     suite_.own_runner = fields.flag("own_runner", false);
     const std::string skipped = one_of(fields, "skipped", "zero", kSkippedNames);
@@ -216,7 +217,8 @@ class SuiteReader {
     if (!c.envelopes.empty()) {
       if (fields.has("reference")) fields.fail("reference", "stands beside 'envelopes', which hold their own");
       if (c.envelopes.size() != suite_.variants.size())
-        fields.fail("envelopes", "names " + std::to_string(c.envelopes.size()) + " folders, expected one for each of the " +
+        fields.fail("envelopes", "names " + std::to_string(c.envelopes.size()) +
+                                     " folders, expected one for each of the " +
                                      std::to_string(suite_.variants.size()) + " variants");
       c.reference = c.envelopes.front() / "nominal.png";
       if (!fs::is_regular_file(c.reference))

@@ -55,7 +55,8 @@ struct ResultSet {
   std::string suite_id;
   std::string suite_hash;
   std::string dialect;
-  /// The ids of the accepted variants, and the one that the submission was judged by; empty where no case has envelopes.
+  /// The ids of the accepted variants, and the one that the submission was judged by; empty where no case has
+  /// envelopes.
   std::vector<std::string> variants;
   std::string variant;
   std::string submission_id;

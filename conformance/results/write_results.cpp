@@ -130,10 +130,14 @@ std::string triple(const std::array<std::uint8_t, 3>& levels) {
 }
 
 Json suspicion_json(const Suspicion& s) {
-  Json json{{"id", s.id},           {"name", s.name},
-            {"hint", s.hint},       {"parts", s.parts},
-            {"or_one_of", s.or_one_of}, {"explained", number(s.explained)},
-            {"missed", number(s.missed)}, {"likeness", number(s.likeness)},
+  Json json{{"id", s.id},
+            {"name", s.name},
+            {"hint", s.hint},
+            {"parts", s.parts},
+            {"or_one_of", s.or_one_of},
+            {"explained", number(s.explained)},
+            {"missed", number(s.missed)},
+            {"likeness", number(s.likeness)},
             {"pixels", Json::array()}};
   for (const DiagnosisPixel& p : s.pixels)
     json["pixels"].push_back({{"case", p.case_id},

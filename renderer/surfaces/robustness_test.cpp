@@ -5,8 +5,8 @@
 #include <random>
 #include <sstream>
 
-#include "meshes/generators/icosphere.h"
 #include "meshes/formats/write_msh.h"
+#include "meshes/generators/icosphere.h"
 #include "renderer/math/rotation.h"
 #include "renderer/scene_for_tests.h"
 

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "meshes/generators/icosphere.h"
 #include "meshes/formats/write_msh.h"
+#include "meshes/generators/icosphere.h"
 #include "renderer/scene_for_tests.h"
 
 namespace plumb {

@@ -16,8 +16,8 @@ struct DiagnosisKnowledge {
   std::vector<Fingerprint> fingerprints;
 };
 
-/// Of a built suite, with the envelopes of its first variant. Throws InputError as read_suite and read_envelope, and for a
-/// suite without fingerprints.
+/// Of a built suite, with the envelopes of its first variant. Throws InputError as read_suite and read_envelope, and
+/// for a suite without fingerprints.
 DiagnosisKnowledge read_knowledge(const std::filesystem::path& built);
 
 /// The pictures of one program with planted mistakes.

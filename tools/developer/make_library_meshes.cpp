@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "meshes/generators/icosphere.h"
 #include "meshes/formats/write_msh.h"
+#include "meshes/generators/icosphere.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

@@ -222,7 +222,7 @@ constexpr plumb_contract kContract{.precision = PLUMB_DOUBLE,
 
 PLUMB_KERNEL_EXPORT const plumb_kernel* plumb_kernel_v1() {
   using namespace plumb::kernels;
-  static const plumb_kernel table = KernelTable<PlumbKernel>::make(
-      "plumb", "our own tracer: its surfaces in doubles, in its hierarchies", kContract);
+  static const plumb_kernel table =
+      KernelTable<PlumbKernel>::make("plumb", "our own tracer: its surfaces in doubles, in its hierarchies", kContract);
   return &table;
 }

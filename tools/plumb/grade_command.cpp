@@ -32,7 +32,9 @@ void add_grade_command(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments& a = *arguments;
   command->add_option("submission", a.submission, "The folder that was handed in")->required()->type_name("SUBMISSION");
-  command->add_option("--suite", a.suite, "The suite (docs/suite-format.md), or one that was built")->required()->type_name("SUITE");
+  command->add_option("--suite", a.suite, "The suite (docs/suite-format.md), or one that was built")
+      ->required()
+      ->type_name("SUITE");
   command->add_option("--out", a.out, "Where the results go [plumb-results/SUBMISSION]")->type_name("DIR");
   command->add_option("--filter", a.filter, "Only the cases whose id matches, and those they require")
       ->type_name("GLOB");

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 fs::path cache_folder() {
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "plumb";
   if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache/plumb";
-  throw InputError({}, "neither XDG_CACHE_HOME nor HOME says where to keep a built suite: build it (plumb suite build)");
+  throw InputError({},
+                   "neither XDG_CACHE_HOME nor HOME says where to keep a built suite: build it (plumb suite build)");
 }
 
 }  // namespace
@@ -28,9 +29,9 @@ Suite ready_suite(const fs::path& path) {
   Suite suite = read_suite(fs::is_directory(path) ? path / "suite.toml" : path);
   if (!suite.needs_build()) return suite;
   const bool has_mutants = fs::is_directory(shipped_mutants());
-  const fs::path built = cache_folder() / fmt::format("{}-{}-{}{}", suite.id, suite.hash.substr(0, 16),
-                                                      file_hash("/proc/self/exe").substr(0, 16),
-                                                      has_mutants ? "-mistakes" : "");
+  const fs::path built =
+      cache_folder() / fmt::format("{}-{}-{}{}", suite.id, suite.hash.substr(0, 16),
+                                   file_hash("/proc/self/exe").substr(0, 16), has_mutants ? "-mistakes" : "");
   if (!fs::is_regular_file(built / "suite.toml")) {
     fmt::print(stderr, "building the suite into {} (once) ...\n", built.string());
     fs::create_directories(built.parent_path());

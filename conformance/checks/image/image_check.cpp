@@ -123,7 +123,8 @@ void judge_by_envelopes(const ImageCheckInput& input, const fs::path& file, Imag
   std::optional<EnvelopeFindings> best;
   Picture best_reference;
   for (std::size_t v = 0; v < c.envelopes.size(); ++v) {
-    const auto same = std::ranges::find(c.envelopes.begin(), c.envelopes.begin() + static_cast<std::ptrdiff_t>(v), c.envelopes[v]);
+    const auto same =
+        std::ranges::find(c.envelopes.begin(), c.envelopes.begin() + static_cast<std::ptrdiff_t>(v), c.envelopes[v]);
     if (const auto earlier = static_cast<std::size_t>(same - c.envelopes.begin()); earlier < v) {
       check.by_variant.push_back(check.by_variant[earlier]);
       continue;

@@ -104,8 +104,8 @@ std::string ray_text(const Ray& ray) {
                      hex(ray.t_max));
 }
 
-/// Whether a t is the nearest, or farther by no more than two t may be off that the checks of t let pass, 64 units of the
-/// last place each: a subject may tell its hits apart by something closer than the t that it reports.
+/// Whether a t is the nearest, or farther by no more than two t may be off that the checks of t let pass, 64 units of
+/// the last place each: a subject may tell its hits apart by something closer than the t that it reports.
 bool is_nearest(double t, double nearest, const Contract& contract) {
   const double unit = std::ldexp(1.0, contract.t_precision == PLUMB_FLOAT ? -23 : -52);
   return t == nearest || (t > nearest && t - nearest <= 2 * 64 * unit * std::fabs(nearest));
@@ -227,8 +227,10 @@ extern const CheckKind hierarchy_check_kind{
         "surface alone? Also for the same rays ended at half of the way to it, and at twice; and does any-hit agree?",
     .matters = "Triangles and whole objects are missing in blocks, or one behind shows through one in front.",
     .tolerance =
-        "The subject's own primitives are asked one by one, so the hit must be the same. Which of two surfaces at the same t "
-        "is free, and of two whose t are 128 units of the last place apart: the checks of t let each be off by 64, and a "
+        "The subject's own primitives are asked one by one, so the hit must be the same. Which of two surfaces at the "
+        "same t "
+        "is free, and of two whose t are 128 units of the last place apart: the checks of t let each be off by 64, and "
+        "a "
         "subject may order them by something closer.",
     .run = run,
 };

@@ -27,6 +27,8 @@ constexpr double kConfidentLikeness = 0.85, kConfidentLead = 0.15;
 constexpr double kConfidentPair = 0.9;
 /// Of a named pair, before it comes ahead of a single mistake.
 constexpr double kPairHandicap = 0.02;
+/// From here on one mistake of a pair is listed alone, too.
+constexpr double kLikelyAlone = 0.5;
 constexpr std::size_t kMostSuspicions = 5, kMostPairs = 3, kMostPixels = 3;
 
 /// One line of the list before it is written out: one mistake, two, or a finding from elsewhere.
@@ -123,9 +125,11 @@ class Diagnostician {
     return likeness(deviations, matches_of(fingerprints_[b.mistakes[0]], deviations)).value >= kSameLikeness;
   }
 
-  /// Whether an entry repeats a part of one before it: a single mistake of a pair.
+  /// Whether an entry repeats a part of one before it: a single mistake of a pair, which by itself accounts for little.
+  /// One that accounts for most of it stays: the other may be an accident.
   bool is_part_of(const Entry& entry, const Entry& earlier) const {
-    return std::ranges::includes(parts_of(earlier), parts_of(entry)) && !entry.mistakes.empty();
+    return entry.likeness.value < kLikelyAlone && !entry.mistakes.empty() &&
+           std::ranges::includes(parts_of(earlier), parts_of(entry));
   }
 
   Diagnosis listed(const std::vector<Entry>& entries) const {

@@ -59,7 +59,7 @@ std::span<const ${type}* const> ${table}() { return kKinds; }
 endfunction()
 
 # plumb_sources(OUT_SOURCES OUT_HEADERS OUT_TESTS FOLDERS...)
-#   The .cpp, .h and _test.cpp files of the folders, relative to the current one.
+#   The .cpp, .h and _test.cpp files of the folders, relative to the current one; without headers that only tests include.
 function(plumb_sources sources headers tests)
   foreach(folder IN LISTS ARGN)
     file(GLOB cpp CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${folder}/*.cpp")
@@ -69,6 +69,7 @@ function(plumb_sources sources headers tests)
   endforeach()
   set(found_tests ${all_cpp})
   list(FILTER all_cpp EXCLUDE REGEX "_test\\.cpp$")
+  list(FILTER all_h EXCLUDE REGEX "_for_tests\\.h$")  # they need what a test program is told, and GoogleTest
   list(FILTER found_tests INCLUDE REGEX "_test\\.cpp$")
   set(${sources} ${all_cpp} PARENT_SCOPE)
   set(${headers} ${all_h} PARENT_SCOPE)

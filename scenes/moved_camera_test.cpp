@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -14,7 +15,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 std::filesystem::path scene_file(const std::string& text) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "moved_camera.xml";
+  const auto file =
+      std::filesystem::path(::testing::TempDir()) / ("moved_camera-" + std::to_string(::getpid()) + ".xml");
   std::ofstream(file) << text;
   return file;
 }

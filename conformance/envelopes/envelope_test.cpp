@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -51,7 +52,7 @@ CheckResult judged(const Picture& picture, const Envelope& envelope) {
 }
 
 TEST(Envelope, IsTheSameAfterWritingAndReading) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "envelope";
+  const fs::path folder = fs::path(::testing::TempDir()) / ("plumb-envelope-" + std::to_string(::getpid()));
   Envelope e = edged_envelope();
   e.guessed = true;
   write_envelope(e, folder);
@@ -63,7 +64,7 @@ TEST(Envelope, IsTheSameAfterWritingAndReading) {
 }
 
 TEST(Envelope, ThatIsDamagedIsRefused) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "damaged";
+  const fs::path folder = fs::path(::testing::TempDir()) / ("plumb-damaged-" + std::to_string(::getpid()));
   const Envelope e = edged_envelope();
   write_envelope(e, folder);
   fs::remove(folder / "high.png");
@@ -148,7 +149,7 @@ TEST(JudgeEnvelope, OneSidedNoiseOfAFairProgramIsNoBias) {
 }
 
 TEST(EnvelopeFromPictures, OfSeveralIsTheirHull) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "several";
+  const fs::path folder = fs::path(::testing::TempDir()) / ("plumb-several-" + std::to_string(::getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::uint8_t> a(3 * 24, 100), b = a;
@@ -166,7 +167,7 @@ TEST(EnvelopeFromPictures, OfSeveralIsTheirHull) {
 }
 
 TEST(EnvelopeFromPictures, OfOneAllowsItsEdges) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "one";
+  const fs::path folder = fs::path(::testing::TempDir()) / ("plumb-one-" + std::to_string(::getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::uint8_t> levels(3 * 60);

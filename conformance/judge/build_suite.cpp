@@ -11,6 +11,7 @@
 #include "conformance/envelopes/make_envelope.h"
 #include "conformance/judge/fingerprint_mutants.h"
 #include "conformance/judge/suite.h"
+#include "conformance/judge/suite_hash.h"
 #include "conformance/judge/suite_manifest.h"
 #include "conformance/judge/toml_fields.h"
 #include "renderer/build_scene.h"
@@ -103,10 +104,16 @@ class SuiteBuilder {
   }
 
   void keep_growth(const SuiteCase& c, toml::table& entry) const {
-    const fs::path folder = fs::path("cases") / c.id;
-    entry.insert_or_assign("scene", keep(c.growth.scene, root_, folder));
+    entry.insert_or_assign("scene", keep_template(c, c.growth.scene, "growth"));
     if (c.growth.reference_scene != c.growth.scene)
-      entry.insert_or_assign("reference_scene", keep(c.growth.reference_scene, root_, folder / "reference"));
+      entry.insert_or_assign("reference_scene", keep_template(c, c.growth.reference_scene, "growth/reference"));
+  }
+
+  /// Cases with the same template go on sharing it, and so one gate.
+  std::string keep_template(const SuiteCase& c, const fs::path& file, const fs::path& folder) const {
+    const fs::path shared = root_ / folder / file.filename();
+    const bool is_taken = fs::exists(shared) && file_hash(shared) != file_hash(file);
+    return keep(file, root_, is_taken ? folder / c.id : folder);
   }
 
   void keep_image(SuiteCase& c, toml::table& entry) const {

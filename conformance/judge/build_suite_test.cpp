@@ -151,5 +151,16 @@ TEST_F(BuildSuiteTest, TakesKnownCorrectPicturesInPlaceOfScenes) {
   EXPECT_EQ(e.high[0], 71);
 }
 
+TEST_F(BuildSuiteTest, GrowthCasesGoOnSharingTheirTemplateAndGate) {
+  write("mesh.xml", "<scene>{mesh}</scene>");
+  write("suite.toml", content("suite.toml") +
+                          "[[case]]\nid = \"trace\"\nkind = \"growth\"\nmeasure = \"trace\"\nscene = \"mesh.xml\"\n"
+                          "[[case]]\nid = \"build\"\nkind = \"growth\"\nmeasure = \"build\"\nscene = \"mesh.xml\"\n");
+  build_suite(request("built"));
+  const Suite suite = read_suite(folder_ / "built/suite.toml");
+  ASSERT_EQ(suite.cases.size(), 4u);
+  EXPECT_EQ(suite.cases[2].growth, suite.cases[3].growth);
+}
+
 }  // namespace
 }  // namespace plumb

@@ -28,7 +28,7 @@ fs::path cache_folder() {
 Suite ready_suite(const fs::path& path) {
   Suite suite = read_suite(fs::is_directory(path) ? path / "suite.toml" : path);
   if (!suite.needs_build()) return suite;
-  const bool has_mutants = fs::is_directory(shipped_mutants());
+  const bool has_mutants = has_shipped_mutants();
   const fs::path built =
       cache_folder() / fmt::format("{}-{}-{}{}", suite.id, suite.hash.substr(0, 16),
                                    file_hash("/proc/self/exe").substr(0, 16), has_mutants ? "-mistakes" : "");

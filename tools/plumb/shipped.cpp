@@ -11,4 +11,10 @@ std::filesystem::path shipped_folder() { return prefix() / "share/plumb"; }
 std::filesystem::path shipped_mutants() { return prefix() / "mutants"; }
 std::filesystem::path shipped_known_mistakes() { return shipped_folder() / "known-mistakes"; }
 
+bool has_shipped_mutants() {
+  for (const auto& text : std::filesystem::directory_iterator(shipped_known_mistakes()))
+    if (!std::filesystem::is_regular_file(shipped_mutants() / text.path().stem())) return false;
+  return true;
+}
+
 }  // namespace plumb

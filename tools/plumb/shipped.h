@@ -10,5 +10,7 @@ std::filesystem::path shipped_folder();
 std::filesystem::path shipped_mutants();
 /// The texts about them.
 std::filesystem::path shipped_known_mistakes();
+/// Whether each of the texts has its program.
+bool has_shipped_mutants();
 
 }  // namespace plumb

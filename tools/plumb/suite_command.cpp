@@ -45,7 +45,7 @@ int build(const Arguments& a) {
   if (!a.without_fingerprints && a.pictures.empty()) {
     request.mutants = a.mutants.empty() ? shipped_mutants() : fs::path(a.mutants);
     request.known_mistakes = shipped_known_mistakes();
-    if (!fs::is_directory(request.mutants))
+    if (a.mutants.empty() && !has_shipped_mutants())
       throw InputError({request.mutants.string()},
                        "the programs with known mistakes are not there: build them by './dev mutants', or say "
                        "--without-fingerprints (no wrong picture is diagnosed then)");

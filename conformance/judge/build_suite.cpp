@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 #include "conformance/envelopes/envelope_from_pictures.h"
 #include "conformance/envelopes/jitter_camera.h"
@@ -14,6 +15,7 @@
 #include "conformance/judge/suite_hash.h"
 #include "conformance/judge/suite_manifest.h"
 #include "conformance/judge/toml_fields.h"
+#include "conformance/sandbox/run_process.h"
 #include "renderer/build_scene.h"
 #include "renderer/image/staged_file.h"
 #include "renderer/kinds.h"
@@ -79,6 +81,7 @@ class SuiteBuilder {
   void add_cases() {
     toml::array cases;
     for (std::size_t i = 0; i < suite_.cases.size(); ++i) {
+      if (interrupt_flag()) throw std::runtime_error("interrupted");
       const SuiteCase& c = suite_.cases[i];
       toml::table entry = *table_["case"][i].as_table();
       request_.progress(c.id, static_cast<double>(i) / static_cast<double>(suite_.cases.size()));

@@ -46,7 +46,8 @@ struct BuiltSuite {
 /// and programs give the same bytes.
 ///
 /// Throws InputError for a suite or scene that cannot be read, a scene of which more than the suite's
-/// `undecidable_limit` cannot be decided, and a folder that would be lost.
+/// `undecidable_limit` cannot be decided, and a folder that would be lost; std::runtime_error where it is interrupted
+/// (interrupt_flag), with nothing left behind.
 BuiltSuite build_suite(const SuiteBuildRequest& request);
 
 /// What is wrong with a built suite, one line each: files that are missing, changed, or not in its manifest. Throws

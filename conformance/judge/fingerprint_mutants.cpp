@@ -1,43 +1,20 @@
 #include "conformance/judge/fingerprint_mutants.h"
 
-#include <stdlib.h>
-
-#include <cerrno>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
 
 #include "conformance/compare/judge_picture.h"
 #include "conformance/diagnosis/fingerprint.h"
 #include "conformance/envelopes/judge_envelope.h"
 #include "conformance/mutants/mutant.h"
 #include "conformance/sandbox/run_process.h"
+#include "conformance/sandbox/temporary_folder.h"
 #include "renderer/math/input_error.h"
 
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is gone when this is.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "plumb-mistakes-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// What one program draws in one case: nothing usable, nothing wrong, or a wrong picture.
 struct Drawing {
@@ -76,7 +53,7 @@ Drawing draw(const fs::path& program, const ReadCase& read, const fs::path& fold
 Fingerprint fingerprint_of(const Mutant& mutant, const fs::path& program, const std::vector<ReadCase>& cases) {
   Fingerprint result;
   result.id = mutant.id, result.name = mutant.name, result.hint = mutant.hint, result.step = mutant.step;
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("mistakes");
   for (const ReadCase& c : cases) {
     if (interrupt_flag()) break;
     const Drawing drawing = draw(program, c, folder.path());

@@ -1,39 +1,14 @@
 #include "conformance/judge/grade_program.h"
 
-#include <stdlib.h>
-
-#include <cerrno>
 #include <limits>
-#include <system_error>
 
 #include "conformance/judge/grade.h"
+#include "conformance/sandbox/temporary_folder.h"
 
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Two folders for one grading, gone when this is: an empty submission, and the results.
-class GradingFolders {
- public:
-  GradingFolders() {
-    std::string name = (fs::temp_directory_path() / "plumb-program-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make " + name);
-    root_ = name;
-    fs::create_directory(submission());
-  }
-  ~GradingFolders() {
-    std::error_code ignored;
-    fs::remove_all(root_, ignored);
-  }
-  GradingFolders(const GradingFolders&) = delete;
-  GradingFolders& operator=(const GradingFolders&) = delete;
-  fs::path submission() const { return root_ / "submission"; }
-  fs::path results() const { return root_ / "results"; }
-
- private:
-  fs::path root_;
-};
 
 Runner runner_of(const fs::path& program) {
   Runner runner;
@@ -50,10 +25,11 @@ std::map<std::string, CheckResult> grade_program(const fs::path& program, const 
                                                  const std::function<void(const std::string&)>& progress) {
   std::map<std::string, CheckResult> results;
   if (cases.empty()) return results;
-  const GradingFolders folders;
+  const TemporaryFolder folder("program");  // for an empty submission, and the results
   GradeRequest request;
-  request.submission = folders.submission();
-  request.out = folders.results();
+  request.submission = folder.path() / "submission";
+  request.out = folder.path() / "results";
+  fs::create_directory(request.submission);
   request.progress = progress;
   request.suite.id = program.filename().string();
   request.suite.variants = variants;

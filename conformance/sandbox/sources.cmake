@@ -28,6 +28,7 @@ set(SANDBOX_HEADERS
   sandbox/run_process.h
   sandbox/session.h
   sandbox/start_process.h
+  sandbox/temporary_folder.h
   sandbox/usage_meter.h
   sandbox/watched_process.h)
 

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<PlantedEdit> read_edits(const toml::array& list, const fs::path& file) {
-  std::vector<PlantedEdit> edits;
+std::vector<Edit> read_edits(const toml::array& list, const fs::path& file) {
+  std::vector<Edit> edits;
   for (const toml::node& node : list) {
     const toml::table* table = node.as_table();
     if (!table) throw InputError(location(file, node), "'edit' holds no tables, expected [[edit]]");
@@ -39,12 +39,6 @@ PlantedMistake read_one(const fs::path& file) {
   return mistake;
 }
 
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 bool share_a_name(const PlantedMistake& a, const PlantedMistake& b) {
   return std::ranges::any_of(a.same_as, [&](const std::string& id) { return std::ranges::count(b.same_as, id) > 0; });
 }
@@ -59,7 +53,7 @@ std::vector<PlantedMistake> read_planted_mistakes(const fs::path& folder) {
   std::ranges::sort(mistakes, {}, &PlantedMistake::id);
   const std::string program = program_of(mistakes);
   for (const PlantedMistake& mistake : mistakes)
-    for (const PlantedEdit& edit : mistake.edits)
+    for (const Edit& edit : mistake.edits)
       if (!edit.file.starts_with(program + "/"))
         throw InputError({(folder / (mistake.id + ".toml")).string()},
                          "changes " + edit.file + ", expected a file of " + program + " as the others");
@@ -90,14 +84,10 @@ SourceTree read_sources(const fs::path& root, const std::string& program) {
 }
 
 SourceTree plant(const PlantedMistake& mistake, SourceTree sources) {
-  for (const PlantedEdit& edit : mistake.edits) {
+  for (const Edit& edit : mistake.edits) {
     const auto file = sources.find(edit.file);
     if (file == sources.end()) throw InputError({edit.file}, "is missing, expected a source for " + mistake.id);
-    std::string& text = file->second;
-    if (const std::size_t count = occurrences(text, edit.find); count != 1)
-      throw InputError({edit.file}, "holds the text to be changed by " + mistake.id + " " + std::to_string(count) +
-                                        " times, expected once: " + edit.find);
-    text.replace(text.find(edit.find), edit.find.size(), edit.replace);
+    file->second = apply(edit, std::move(file->second));
   }
   return sources;
 }

@@ -6,18 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "conformance/mutants/mutant.h"
+
 namespace plumb {
 
 /// The files of a program: their texts by their paths, relative to the project's root, with '/'.
 using SourceTree = std::map<std::string, std::string>;
-
-/// A change of a source file: `find` stands in it exactly once, and `replace` takes its place.
-struct PlantedEdit {
-  /// Relative to the project's root, with '/'.
-  std::string file;
-  std::string find;
-  std::string replace;
-};
 
 /// A change to be planted in a program that shares no code with the renderer: a mistake, to see whether its pictures
 /// are recognised (docs/diagnosis.md), or another right way to do the same, to see that they are not found fault with
@@ -28,7 +22,7 @@ struct PlantedMistake {
   std::string name;
   /// Known bugs, any of which is the right name for it; empty if it is none of the known ones, or no mistake.
   std::vector<std::string> same_as;
-  std::vector<PlantedEdit> edits;
+  std::vector<Edit> edits;
 };
 
 /// Every `*.toml` of the folder, in order of id. Throws InputError at the value at fault: malformed, a key that is

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -8,12 +7,12 @@
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include "conformance/checks/run_checks.h"
 #include "conformance/judge/grade.h"
 #include "conformance/results/write_results.h"
 #include "conformance/sandbox/run_process.h"
+#include "conformance/sandbox/temporary_folder.h"
 #include "conformance/subject/kernel_cost.h"
 #include "conformance/subject/kernel_subject.h"
 #include "conformance/subject/shipped_kernels.h"
@@ -31,26 +30,6 @@ namespace fs = std::filesystem;
 constexpr int kInterrupted = 130;
 /// Of processor time, for one check of a folder's program.
 constexpr double kFolderSeconds = 600;
-
-/// Where nobody asked for results, they are written and thrown away.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "plumb-check-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 struct Arguments {
   SubjectArguments subject;
@@ -121,7 +100,7 @@ int check_folder(const Arguments& arguments) {
     request.suite.cases.push_back(std::move(one));
   }
   std::optional<TemporaryFolder> unwanted;
-  if (arguments.out.empty()) unwanted.emplace();
+  if (arguments.out.empty()) unwanted.emplace("check");
   request.out = unwanted ? unwanted->path() / "results" : fs::path(arguments.out);
   request.plumb_version = PLUMB_VERSION;
   if (::isatty(STDERR_FILENO) == 1)

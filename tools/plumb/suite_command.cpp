@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <memory>
 #include <random>
+#include <stdexcept>
 
 #include "conformance/judge/build_suite.h"
+#include "conformance/sandbox/run_process.h"
 #include "renderer/math/input_error.h"
 #include "tools/plumb/command.h"
 #include "tools/plumb/grading.h"
@@ -53,7 +55,13 @@ int build(const Arguments& a) {
   stop_on_signals();
   ProgressBar bar("suite");
   request.progress = [&](const std::string&, double share) { bar.show(share); };
-  const BuiltSuite built = build_suite(request);
+  BuiltSuite built;
+  try {
+    built = build_suite(request);
+  } catch (const std::runtime_error&) {
+    if (!interrupt_flag()) throw;
+    return kInterrupted;
+  }
   fmt::print("{:<32}  undecidable pixels\n", "case");
   for (const BuiltCase& c : built.cases)
     fmt::print("{:<32}  {:6.3f} %{}\n", c.id, 100 * c.undecidable_share, c.guessed ? "  (guessed from pictures)" : "");

@@ -149,6 +149,52 @@ TEST(Diagnose, ANamedPairIsKnownWhereItsPartsHideEachOther) {
   EXPECT_TRUE(diagnosis.confident);
 }
 
+/// The change, and all of it mirrored: nothing is where it should be.
+Change mirrored(Change change) {
+  return [change = std::move(change)](const std::string& id, int x, int y) {
+    const int from = kTestWidth - 1 - x;
+    return test_level(id, from, y, 0) + change(id, from, y) - test_level(id, x, y, 0);
+  };
+}
+
+/// A library in which `mirrored` is known to change every picture.
+void add_mirrored(SyntheticCases& cases) {
+  cases.add_mistake("mirrored", mirrored(no_change));
+  PictureChange& change = cases.fingerprints.back().change.emplace();
+  change.move = PictureChange::Move::left_right;
+  for (std::size_t i = 0; i < 256; ++i) change.table[i] = static_cast<std::uint8_t>(i);
+}
+
+TEST(Diagnose, AMistakeIsSeenUnderOneThatChangesEveryPicture) {
+  int seen = 0;
+  for (const auto& [id, change] : known()) {
+    if (id == "dark-everywhere" || id == "slope") continue;  // mirrored, too, all of the picture in a case
+    SyntheticCases cases(mirrored(sum(change, other_program)));
+    add_known(cases);
+    add_mirrored(cases);
+    const Diagnosis diagnosis = cases.diagnosis();
+    ASSERT_FALSE(diagnosis.suspicions.empty()) << id;
+    std::vector<std::string> both{id, "mirrored"};
+    std::ranges::sort(both);
+    EXPECT_EQ(diagnosis.suspicions[0].parts, both) << id;
+    ASSERT_FALSE(diagnosis.suspicions[0].pixels.empty());
+    for (const DiagnosisPixel& p : diagnosis.suspicions[0].pixels)
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(p.suspected[k], p.found[k], 2 + std::abs(p.found[k] - p.expected[k]) / 16);
+    ++seen;
+  }
+  EXPECT_EQ(seen, 6);
+}
+
+TEST(Diagnose, NothingIsSeenUnderAPictureThatIsOnlyMirrored) {
+  SyntheticCases cases(mirrored(other_program));
+  add_known(cases);
+  add_mirrored(cases);
+  const Diagnosis diagnosis = cases.diagnosis();
+  EXPECT_EQ(diagnosis.suspicions.at(0).id, "mirrored");
+  EXPECT_TRUE(diagnosis.confident);
+}
+
 TEST(Diagnose, MistakesThatDrawTheSameAreNamedTogether) {
   SyntheticCases cases(known()[0].second);
   add_known(cases);

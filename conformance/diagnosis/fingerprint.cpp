@@ -1,6 +1,7 @@
 #include "conformance/diagnosis/fingerprint.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -17,7 +18,23 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
+
+constexpr std::array<std::string_view, 4> kMoves{"none", "left-right", "top-bottom", "red-blue"};
+
+Json to_json(const PictureChange& change) {
+  return {{"move", kMoves.at(static_cast<std::size_t>(change.move))}, {"table", change.table}};
+}
+
+PictureChange picture_change(const Json& json, const fs::path& file) {
+  const auto name = json.at("move").get<std::string>();
+  const auto move = std::ranges::find(kMoves, name);
+  if (move == kMoves.end())
+    throw InputError({file.string()},
+                     fmt::format("change.move is '{}', expected one of {}", name, fmt::join(kMoves, ", ")));
+  return {static_cast<PictureChange::Move>(move - kMoves.begin()),
+          json.at("table").get<std::array<std::uint8_t, 256>>()};
+}
 
 Json parse(const fs::path& file) {
   std::ifstream stream(file);
@@ -71,6 +88,7 @@ void write_fingerprint(const Fingerprint& fingerprint, const fs::path& folder) {
   json["parts"] = fingerprint.parts;
   json["cases"] = cases;
   json["no_picture"] = fingerprint.no_picture;
+  if (fingerprint.change) json["change"] = to_json(*fingerprint.change);
   write_file_staged(folder / "mistake.json", json.dump(2) + "\n");
 }
 
@@ -87,6 +105,7 @@ Fingerprint read_fingerprint(const fs::path& folder) {
     fingerprint.step = json.at("step").get<std::string>();
     fingerprint.parts = json.at("parts").get<std::vector<std::string>>();
     fingerprint.no_picture = json.at("no_picture").get<std::vector<std::string>>();
+    if (json.contains("change")) fingerprint.change = picture_change(json.at("change"), file);
     for (const auto& id : json.at("cases").get<std::vector<std::string>>())
       fingerprint.pictures.emplace(id, StoredPicture(folder / (id + ".png")));
   } catch (const nlohmann::json::exception& error) {

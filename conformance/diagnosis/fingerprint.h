@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "conformance/diagnosis/picture_change.h"
 
 namespace plumb {
 
@@ -43,6 +46,8 @@ struct Fingerprint {
   std::map<std::string, StoredPicture> pictures;
   /// The cases for which nothing usable is written (a crash, no end): not compared.
   std::vector<std::string> no_picture;
+  /// Where the mistake does the same to every picture.
+  std::optional<PictureChange> change;
 };
 
 /// Writes `mistake.json` and one `CASE.png` for each picture into the folder, which is made. The same fingerprint gives

@@ -40,7 +40,8 @@ class FingerprintFiles : public ::testing::Test {
       "camera",
       {"one", "two"},
       {{"sphere", StoredPicture({1, 2, 3, 4, 5, 6}, 2, 1)}, {"glass", StoredPicture({9, 8, 7}, 1, 1)}},
-      {"mesh"}};
+      {"mesh"},
+      {}};
   const fs::path folder_ = fs::temp_directory_path() / ("plumb-fingerprints-" + std::to_string(::getpid()));
 };
 
@@ -57,6 +58,22 @@ TEST_F(FingerprintFiles, AreReadAsTheyWereWritten) {
   ASSERT_THAT(all[0].pictures, SizeIs(2));
   EXPECT_EQ(all[0].pictures.at("sphere").levels(2, 1), (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(all[0].pictures.at("glass").levels(1, 1), (std::vector<std::uint8_t>{9, 8, 7}));
+}
+
+TEST_F(FingerprintFiles, KeepWhatTheMistakeDoesToEveryPicture) {
+  Fingerprint changing = fingerprint_;
+  changing.change = PictureChange{PictureChange::Move::red_blue, {}};
+  changing.change->table[7] = 200;
+  write_fingerprint(changing, folder_ / "changing");
+  const Fingerprint read = read_fingerprint(folder_ / "changing");
+  ASSERT_TRUE(read.change);
+  EXPECT_EQ(read.change->move, PictureChange::Move::red_blue);
+  EXPECT_EQ(read.change->table, changing.change->table);
+
+  std::string text = bytes(folder_ / "changing" / "mistake.json");
+  text.replace(text.find("red-blue"), 8, "sideways");
+  std::ofstream(folder_ / "changing" / "mistake.json") << text;
+  EXPECT_THAT(message(folder_ / "changing"), HasSubstr("is 'sideways', expected one of none, left-right"));
 }
 
 TEST_F(FingerprintFiles, HaveTheSameBytesForTheSameFingerprint) {
@@ -76,9 +93,9 @@ TEST_F(FingerprintFiles, AreRefusedWhereTheyCannotBeUsed) {
   write_fingerprint(fingerprint_, folder_ / "rows-lost");
   std::ofstream(folder_ / "rows-lost" / "mistake.json") << "{";
   EXPECT_THAT(message(folder_ / "rows-lost"), HasSubstr("is no JSON"));
-  std::ofstream(folder_ / "rows-lost" / "mistake.json") << R"({"schema": 2})";
-  EXPECT_THAT(message(folder_ / "rows-lost"), HasSubstr("has the schema 2, expected 1"));
-  std::ofstream(folder_ / "rows-lost" / "mistake.json") << R"({"schema": 1, "name": 3})";
+  std::ofstream(folder_ / "rows-lost" / "mistake.json") << R"({"schema": 1})";
+  EXPECT_THAT(message(folder_ / "rows-lost"), HasSubstr("has the schema 1, expected 2"));
+  std::ofstream(folder_ / "rows-lost" / "mistake.json") << R"({"schema": 2, "name": 3})";
   EXPECT_THAT(message(folder_ / "rows-lost"), HasSubstr("is no description of a known mistake"));
 }
 

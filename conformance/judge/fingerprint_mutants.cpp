@@ -50,6 +50,20 @@ Drawing draw(const fs::path& program, const ReadCase& read, const fs::path& fold
   return {.usable = true, .wrong = std::move(opened.picture)};
 }
 
+/// What the mistake does to every picture alike, if it does; not where a case has none.
+std::optional<PictureChange> change_of(const Fingerprint& fingerprint, const std::vector<ReadCase>& cases) {
+  std::vector<std::vector<std::uint8_t>> levels;
+  std::vector<DrawnCase> drawn;
+  for (const ReadCase& c : cases) {
+    const Envelope& e = c.envelope;
+    const auto picture = fingerprint.pictures.find(c.of.id);
+    levels.push_back(picture == fingerprint.pictures.end() ? e.nominal : picture->second.levels(e.width, e.height));
+    drawn.push_back({e.nominal, {}, e.width, e.height});
+  }
+  for (std::size_t i = 0; i < cases.size(); ++i) drawn[i].drawn = levels[i];
+  return find_picture_change(drawn);
+}
+
 Fingerprint fingerprint_of(const Mutant& mutant, const fs::path& program, const std::vector<ReadCase>& cases) {
   Fingerprint result;
   result.id = mutant.id, result.name = mutant.name, result.hint = mutant.hint, result.step = mutant.step;
@@ -66,6 +80,7 @@ Fingerprint fingerprint_of(const Mutant& mutant, const fs::path& program, const 
       result.pictures.emplace(c.of.id, StoredPicture(std::move(levels), p.width, p.height));
     }
   }
+  if (result.no_picture.empty()) result.change = change_of(result, cases);
   return result;
 }
 

@@ -1,0 +1,56 @@
+#include "conformance/diagnosis/comparison.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plumb {
+namespace {
+
+/// A picture says something from this share of wrong pixels on (docs/diagnosis.md).
+constexpr double kLeastWrongShare = 0.001;
+
+}  // namespace
+
+Comparison::Comparison(std::span<const DiagnosisCase> cases) {
+  for (const DiagnosisCase& picture : cases) {
+    if (picture.levels.empty()) continue;
+    if (picture.levels.size() != picture.envelope->nominal.size())
+      throw std::invalid_argument("the picture of " + picture.id + " has another size than its envelope");
+    cases_.push_back(picture);
+    limits_.emplace_back(*picture.envelope, picture.tolerance);
+    deviations_.push_back(deviation_of(picture.levels, limits_.back()));
+    const double wrong = static_cast<double>(deviations_.back().wrong.count());
+    if (wrong > kLeastWrongShare * static_cast<double>(limits_.back().pixels())) shows_something_ = true;
+  }
+}
+
+std::vector<std::uint8_t> Comparison::levels(const Fingerprint& mistake, std::size_t i,
+                                             const PictureChange* change) const {
+  const int width = limits_[i].width(), height = limits_[i].height();
+  const auto picture = mistake.pictures.find(cases_[i].id);
+  const std::span<const std::uint8_t> right = limits_[i].nominal();
+  std::vector<std::uint8_t> drawn = picture == mistake.pictures.end()
+                                        ? std::vector<std::uint8_t>(right.begin(), right.end())
+                                        : picture->second.levels(width, height);
+  return change ? change->apply(drawn, width, height) : drawn;
+}
+
+MistakeMatches Comparison::matches(const Fingerprint& mistake, std::span<const Deviation> deviations,
+                                   const PictureChange* change) const {
+  MistakeMatches matches;
+  for (std::size_t i = 0; i < cases_.size(); ++i) {
+    matches.unknown.push_back(std::ranges::find(mistake.no_picture, cases_[i].id) != mistake.no_picture.end());
+    matches.cases.emplace_back();
+    if (change || mistake.pictures.contains(cases_[i].id))
+      matches.cases.back() = match_of(levels(mistake, i, change), deviations[i], limits_[i]);
+  }
+  return matches;
+}
+
+double Comparison::likeness_of(const Fingerprint& a, const Fingerprint& b) const {
+  std::vector<Deviation> deviations;
+  for (std::size_t i = 0; i < cases_.size(); ++i) deviations.push_back(deviation_of(levels(a, i, nullptr), limits_[i]));
+  return likeness(deviations, matches(b, deviations, nullptr)).value;
+}
+
+}  // namespace plumb

@@ -35,22 +35,32 @@ std::vector<std::uint8_t> Comparison::levels(const Fingerprint& mistake, std::si
   return change ? change->apply(drawn, width, height) : drawn;
 }
 
-MistakeMatches Comparison::matches(const Fingerprint& mistake, std::span<const Deviation> deviations,
-                                   const PictureChange* change) const {
-  MistakeMatches matches;
+std::vector<MistakeMatches> Comparison::matches(const Fingerprint& mistake,
+                                                std::span<const PictureChange> changes) const {
+  std::vector<MistakeMatches> matches(1 + changes.size());
   for (std::size_t i = 0; i < cases_.size(); ++i) {
-    matches.unknown.push_back(std::ranges::find(mistake.no_picture, cases_[i].id) != mistake.no_picture.end());
-    matches.cases.emplace_back();
-    if (change || mistake.pictures.contains(cases_[i].id))
-      matches.cases.back() = match_of(levels(mistake, i, change), deviations[i], limits_[i]);
+    const bool unknown = std::ranges::find(mistake.no_picture, cases_[i].id) != mistake.no_picture.end();
+    for (MistakeMatches& m : matches) m.unknown.push_back(unknown), m.cases.emplace_back();
+    const bool shows = mistake.pictures.contains(cases_[i].id);
+    if (!shows && changes.empty()) continue;
+    const std::vector<std::uint8_t> drawn = levels(mistake, i, nullptr);
+    if (shows) matches[0].cases[i] = match_of(drawn, deviations_[i], limits_[i]);
+    for (std::size_t k = 0; k < changes.size(); ++k)
+      matches[1 + k].cases[i] =
+          match_of(changes[k].apply(drawn, limits_[i].width(), limits_[i].height()), deviations_[i], limits_[i]);
   }
   return matches;
 }
 
 double Comparison::likeness_of(const Fingerprint& a, const Fingerprint& b) const {
   std::vector<Deviation> deviations;
-  for (std::size_t i = 0; i < cases_.size(); ++i) deviations.push_back(deviation_of(levels(a, i, nullptr), limits_[i]));
-  return likeness(deviations, matches(b, deviations, nullptr)).value;
+  MistakeMatches matches;
+  for (std::size_t i = 0; i < cases_.size(); ++i) {
+    deviations.push_back(deviation_of(levels(a, i, nullptr), limits_[i]));
+    matches.unknown.push_back(std::ranges::find(b.no_picture, cases_[i].id) != b.no_picture.end());
+    matches.cases.push_back(match_of(levels(b, i, nullptr), deviations[i], limits_[i]));
+  }
+  return likeness(deviations, matches).value;
 }
 
 }  // namespace plumb

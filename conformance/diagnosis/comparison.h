@@ -22,22 +22,16 @@ class Comparison {
   /// Whether enough of some case is wrong that it says something.
   bool shows_something() const { return shows_something_; }
 
-  /// The mistake beside the submission. Throws InputError for a picture that cannot be read or has another size.
-  MistakeMatches matches(const Fingerprint& mistake) const { return matches(mistake, deviations_, nullptr); }
-  /// The same of two mistakes, the second of which changes every picture.
-  MistakeMatches matches(const Fingerprint& mistake, const PictureChange& change) const {
-    return matches(mistake, deviations_, &change);
-  }
+  /// The mistake beside the submission, and then the same under each of the changes, which are put on top of what it
+  /// draws; the picture of a case is read once. Throws InputError for one that cannot be read or has another size.
+  std::vector<MistakeMatches> matches(const Fingerprint& mistake, std::span<const PictureChange> changes = {}) const;
   /// How alike the pictures of two mistakes are.
   double likeness_of(const Fingerprint& a, const Fingerprint& b) const;
 
-  /// What a program with the mistake draws in case i, and with the change on top if there is one.
+  /// What a program with the mistake draws in case i, with the change on top if there is one.
   std::vector<std::uint8_t> levels(const Fingerprint& mistake, std::size_t i, const PictureChange* change) const;
 
  private:
-  MistakeMatches matches(const Fingerprint& mistake, std::span<const Deviation> deviations,
-                         const PictureChange* change) const;
-
   std::vector<DiagnosisCase> cases_;
   std::vector<EvidenceLimits> limits_;
   std::vector<Deviation> deviations_;

@@ -38,8 +38,16 @@ struct Entry {
 class Diagnostician {
  public:
   Diagnostician(const Comparison& comparison, std::span<const Fingerprint> fingerprints)
-      : comparison_(comparison), fingerprints_(fingerprints) {
-    for (const Fingerprint& fingerprint : fingerprints) mistakes_.push_back(comparison.matches(fingerprint));
+      : comparison_(comparison), fingerprints_(fingerprints), changes_(likely_changes(comparison, fingerprints)) {
+    std::vector<PictureChange> on_top;
+    for (const std::size_t i : changes_) on_top.push_back(*fingerprints[i].change);
+    for (const Fingerprint& fingerprint : fingerprints) {
+      std::vector<MistakeMatches> matches = comparison.matches(fingerprint, on_top);
+      changed_.emplace_back();
+      for (std::size_t k = 0; k < on_top.size(); ++k)
+        changed_.back().push_back(likeness(comparison.deviations(), matches[1 + k]));
+      mistakes_.push_back(std::move(matches.front()));
+    }
   }
 
   Diagnosis diagnose(std::span<const Suspicion> findings) const { return listed(ordered_entries(findings)); }
@@ -55,7 +63,7 @@ class Diagnostician {
     }
     for (const LikelyPair& pair : likely_pairs(comparison_.deviations(), mistakes_, singles, kMostPairs))
       entries.push_back({{pair.mistakes[0], pair.mistakes[1]}, false, nullptr, pair.likeness});
-    for (const LikelyPair& pair : likely_changed(comparison_, fingerprints_, singles, kMostPairs))
+    for (const LikelyPair& pair : likely_changed(changes_, changed_, fingerprints_, singles, kMostPairs))
       entries.push_back({{pair.mistakes[0], pair.mistakes[1]}, true, nullptr, pair.likeness});
     for (const Suspicion& finding : findings)
       entries.push_back({{}, false, &finding, {finding.likeness, finding.explained, finding.missed, {}}});
@@ -146,6 +154,9 @@ class Diagnostician {
   const Comparison& comparison_;
   std::span<const Fingerprint> fingerprints_;
   std::vector<MistakeMatches> mistakes_;
+  /// Mistakes that are put on top of all others, and how alike the submission is to each mistake under each of them.
+  std::vector<std::size_t> changes_;
+  std::vector<std::vector<Likeness>> changed_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "conformance/diagnosis/pairs.h"
 
 #include <algorithm>
+#include <map>
 
 namespace plumb {
 namespace {
@@ -11,7 +12,7 @@ constexpr double kLeastPart = 0.3, kLeastGain = 0.01;
 /// Of the area where a mistake shows that the submission may lack it in, and be paired.
 constexpr double kMostMissed = 0.4;
 constexpr std::size_t kMostFirst = 12, kMostSecond = 40;
-/// Of mistakes that change every picture: how alike such a one has to be by itself, and how many are tried.
+/// Of mistakes that change every picture: what share such a one has to explain by itself, and how many are tried.
 constexpr double kLeastChange = 0.1;
 constexpr std::size_t kMostChanges = 2;
 
@@ -66,20 +67,28 @@ std::vector<LikelyPair> likely_pairs(std::span<const Deviation> deviations, std:
   return likeliest(std::move(pairs), most);
 }
 
-std::vector<LikelyPair> likely_changed(const Comparison& comparison, std::span<const Fingerprint> fingerprints,
-                                       std::span<const Likeness> singles, std::size_t most) {
-  std::vector<std::size_t> usable;
-  for (std::size_t i = 0; i < singles.size(); ++i)
-    if (fingerprints[i].change && singles[i].value >= kLeastChange) usable.push_back(i);
+std::vector<std::size_t> likely_changes(const Comparison& comparison, std::span<const Fingerprint> fingerprints) {
+  std::map<std::size_t, double> explained;
+  for (std::size_t i = 0; i < fingerprints.size(); ++i) {
+    if (!fingerprints[i].change) continue;
+    const Likeness alone = likeness(comparison.deviations(), comparison.matches(fingerprints[i]).front());
+    if (alone.explained >= kLeastChange) explained[i] = alone.explained;
+  }
+  std::vector<std::size_t> changes;
+  for (const auto& [i, share] : explained) changes.push_back(i);
+  return largest(std::move(changes), kMostChanges, [&](std::size_t i) { return explained.at(i); });
+}
+
+std::vector<LikelyPair> likely_changed(std::span<const std::size_t> changes,
+                                       std::span<const std::vector<Likeness>> changed,
+                                       std::span<const Fingerprint> fingerprints, std::span<const Likeness> singles,
+                                       std::size_t most) {
   const double least = least_of_pairs(singles);
   std::vector<LikelyPair> pairs;
-  for (const std::size_t change : largest(usable, kMostChanges, [&](std::size_t i) { return singles[i].value; }))
-    for (std::size_t i = 0; i < fingerprints.size(); ++i) {
-      if (i == change || !fingerprints[i].parts.empty()) continue;
-      Likeness together =
-          likeness(comparison.deviations(), comparison.matches(fingerprints[i], *fingerprints[change].change));
-      if (together.value >= least) pairs.push_back({{i, change}, std::move(together)});
-    }
+  for (std::size_t i = 0; i < changed.size(); ++i)
+    for (std::size_t k = 0; k < changes.size(); ++k)
+      if (i != changes[k] && fingerprints[i].parts.empty() && changed[i][k].value >= least)
+        pairs.push_back({{i, changes[k]}, changed[i][k]});
   return likeliest(std::move(pairs), most);
 }
 

@@ -22,9 +22,15 @@ struct LikelyPair {
 std::vector<LikelyPair> likely_pairs(std::span<const Deviation> deviations, std::span<const MistakeMatches> mistakes,
                                      std::span<const Likeness> singles, std::size_t most);
 
-/// The same of pairs whose second mistake changes every picture and so hides the first: those of the first are changed
-/// for it. Only changes that by themselves account for some of what is wrong are tried.
-std::vector<LikelyPair> likely_changed(const Comparison& comparison, std::span<const Fingerprint> fingerprints,
-                                       std::span<const Likeness> singles, std::size_t most);
+/// Mistakes that change every picture and by themselves account for some of what is wrong, by number, the likeliest
+/// first: worth putting on top of all others.
+std::vector<std::size_t> likely_changes(const Comparison& comparison, std::span<const Fingerprint> fingerprints);
+
+/// The pairs of a mistake and one of these `changes` on top that account for a submission clearly better than the best
+/// single mistake, the likeliest first, at most `most`. `changed[i][k]`: the likeness of mistake i under `changes[k]`.
+std::vector<LikelyPair> likely_changed(std::span<const std::size_t> changes,
+                                       std::span<const std::vector<Likeness>> changed,
+                                       std::span<const Fingerprint> fingerprints, std::span<const Likeness> singles,
+                                       std::size_t most);
 
 }  // namespace plumb

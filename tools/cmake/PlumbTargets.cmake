@@ -1,11 +1,16 @@
 # plumb_library(NAME SOURCES... HEADERS... [PUBLIC libs...] [PRIVATE libs...])
-#   The static library plumb_NAME with the alias plumb::NAME. Its headers form a header set, so that the
-#   ci preset compiles each of them alone.
+#   The static library plumb_NAME with the alias plumb::NAME. The ci preset compiles each header alone; one whose source includes it first
+#   (the test `layers` sees to that) is compiled alone with that.
 function(plumb_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   add_library(plumb_${name} STATIC ${arg_SOURCES})
   add_library(plumb::${name} ALIAS plumb_${name})
-  target_sources(plumb_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${arg_HEADERS})
+  set(sourceless ${arg_HEADERS})
+  foreach(source IN LISTS arg_SOURCES)
+    cmake_path(REPLACE_EXTENSION source h)
+    list(REMOVE_ITEM sourceless "${source}")
+  endforeach()
+  target_sources(plumb_${name} PUBLIC FILE_SET sourceless TYPE HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES ${sourceless})
   target_link_libraries(plumb_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 endfunction()
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <regex>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -93,6 +94,12 @@ std::string include_fault(std::string_view file, std::string_view include, bool 
   return std::string(file) + " includes \"" + std::string(include) + "\", which its room may not see";
 }
 
+std::string first_include_fault(std::string_view file, std::string_view include) {
+  const std::string header = fs::path(file).replace_extension(".h").generic_string();
+  if (include == header || file.starts_with("examples/")) return "";
+  return std::string(file) + " includes \"" + std::string(include) + "\" before its own header";
+}
+
 std::string top_level_fault(std::string_view name) {
   static constexpr std::array<std::string_view, 12> kFolders{"renderer", "reference", "conformance", "meshes",
                                                              "scenes",   "tools",     "reports",     "docs",
@@ -128,11 +135,15 @@ LayersReport check_layers(const fs::path& root) {
       const std::string file = entry.path().lexically_relative(root).generic_string();
       std::ifstream stream(entry.path());
       int lines = 0;
+      const bool has_header =
+          entry.path().extension() == ".cpp" && fs::exists(fs::path(entry.path()).replace_extension(".h"));
+      bool first = true;
       for (std::string line; std::getline(stream, line); ++lines) {
         std::smatch match;
         if (!is_source(entry.path()) || !std::regex_search(line, match, include_line)) continue;
         ++report.includes;
         add(include_fault(file, match[2].str(), match[1] == "\""));
+        if (std::exchange(first, false) && has_header) add(first_include_fault(file, match[2].str()));
       }
       add(file_fault(file, lines));
     }

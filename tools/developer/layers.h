@@ -13,6 +13,10 @@ namespace plumb {
 /// quotes or angle brackets, `quoted` whether it stood in quotes.
 std::string include_fault(std::string_view file, std::string_view include, bool quoted);
 
+/// What is wrong with the first include of a source whose header, of the same name, lies beside it: it has to be that
+/// header, which is so compiled alone. Empty if it is right.
+std::string first_include_fault(std::string_view file, std::string_view include);
+
 /// What is wrong with an entry of the project's top level; empty if it has its row.
 std::string top_level_fault(std::string_view name);
 

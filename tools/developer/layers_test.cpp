@@ -35,6 +35,13 @@ TEST(Layers, RightIncludesPass) {
   EXPECT_EQ(include_fault("tools/plumb/main.cpp", "vector", false), "");
 }
 
+TEST(Layers, ASourceIncludesItsOwnHeaderFirst) {
+  EXPECT_NE(first_include_fault("renderer/scene.cpp", "algorithm"), "");
+  EXPECT_NE(first_include_fault("renderer/scene.cpp", "renderer/kinds.h"), "");
+  EXPECT_EQ(first_include_fault("renderer/scene.cpp", "renderer/scene.h"), "");
+  EXPECT_EQ(first_include_fault("examples/x/search.cpp", "search.h"), "");
+}
+
 TEST(Layers, StrangersLongFilesAndVagueNamesAreCaught) {
   EXPECT_NE(top_level_fault("scratch"), "");
   EXPECT_EQ(top_level_fault("suites"), "");

@@ -15,6 +15,9 @@ constexpr int kReplicates = 2000;
 /// Two runs of one program on a shared machine differ by as much without any cause that would show again: 20 renderings
 /// of one scene, at a load of 2 on two processors, had a standard deviation of 1.6 %.
 constexpr double kBlur = 0.015;
+/// Where no run was repeated, they are taken to differ by at least so much, and by so many times what the resolutions
+/// of a size show of it.
+constexpr double kLeastBlurUnrepeated = 0.07, kDoubt = 4;
 /// Differences of processor time that are told from nothing.
 constexpr double kLeastGain = 0.01, kLeastBuild = 0.001;
 
@@ -53,13 +56,28 @@ std::vector<double> deviations(const GrowthRuns& runs) {
   return all;
 }
 
+/// What runs differ by, as a share of their time, by how far the middle one of three resolutions lies off the line
+/// through the others. That is a sum of the run's own deviation and about half of each of the other two.
+double noise_of_resolutions(const GrowthRuns& runs) {
+  double squares = 0, traced = 0;
+  for (const GrowthSizeRuns& size : runs.sizes) {
+    if (!size.is_traced()) continue;
+    const double low = median(size.lowest().seconds), high = median(size.high.seconds);
+    const double part = (size.middle.rays - size.lowest().rays) / (size.high.rays - size.lowest().rays);
+    const double off = (median(size.middle.seconds) - (1 - part) * low - part * high) / high;
+    squares += off * off / (1 + part * part + (1 - part) * (1 - part));
+    ++traced;
+  }
+  return std::sqrt(squares / traced);
+}
+
 /// Every run drawn anew around its cell's median.
-GrowthRuns drawn_again(const GrowthRuns& runs, std::span<const double> pool, Random& random) {
+GrowthRuns drawn_again(const GrowthRuns& runs, std::span<const double> pool, double blur, Random& random) {
   GrowthRuns drawn = runs;
   for_each_cell(drawn, [&](GrowthCell& cell) {
     const double middle = median(cell.seconds);
     for (double& seconds : cell.seconds) {
-      double deviation = kBlur * nearly_normal(random);
+      double deviation = blur * nearly_normal(random);
       if (!pool.empty()) deviation += pool[random.below(static_cast<std::uint32_t>(pool.size()))];
       seconds = middle * std::exp(deviation);
     }
@@ -131,10 +149,11 @@ std::vector<GrowthTimes> times_of(const GrowthRuns& runs) {
 
 GrowthSlopes growth_slopes(const GrowthRuns& runs, double confidence, std::uint64_t seed) {
   const std::vector<double> pool = deviations(runs);
+  const double blur = pool.empty() ? std::max(kLeastBlurUnrepeated, kDoubt * noise_of_resolutions(runs)) : kBlur;
   Random random(seed, "growth-slopes", 0);
   std::array<std::vector<double>, 3> replicates;
   for (int i = 0; i < kReplicates; ++i) {
-    const std::array<double, 3> slopes = slopes_of(drawn_again(runs, pool, random));
+    const std::array<double, 3> slopes = slopes_of(drawn_again(runs, pool, blur, random));
     for (std::size_t k = 0; k < slopes.size(); ++k) replicates[k].push_back(slopes[k]);
   }
   const std::array<double, 3> found = slopes_of(runs);

@@ -66,7 +66,8 @@ class Gate {
     figures_.trace = figures_.build = GrowthDecision::undecided;
     measure_start(0);
     choose_resolutions(least_seconds);
-    // The first round is the one that the resolutions were chosen by.
+    // The first round is the one that the resolutions were chosen by: mostly the answer is clear by then.
+    decide(1);
     for (int round = 1; round < kRounds && !decided(); ++round) {
       measure_round(round);
       if (!decide(round + 1)) break;

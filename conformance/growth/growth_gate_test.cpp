@@ -75,14 +75,6 @@ Tally tally(double noise, unsigned outliers, int repeats) {
       const auto seed = static_cast<std::uint64_t>(1 + i);
       const GrowthSettings settings{.sizes = kSizes, .seed = seed};
       const GrowthFigures figures = run_growth_gate(settings, asked(known.program, kSizes, seed));
-      if (getenv("PR"))
-        printf(
-            "%-30s att %d rounds %d runs %d wall %.1f  %.2f [%.2f %.2f] ax %.2f [%.2f %.2f] b %.2f [%.2f %.2f] %s %s\n",
-            known.name.c_str(), figures.attempts, figures.rounds, figures.runs, figures.wall_seconds,
-            figures.views[0].slope.slope, figures.views[0].slope.low, figures.views[0].slope.high,
-            figures.views[1].slope.slope, figures.views[1].slope.low, figures.views[1].slope.high,
-            figures.building.slope.slope, figures.building.slope.low, figures.building.slope.high,
-            to_string(figures.trace), to_string(figures.build));
       for (const auto& [found, right] :
            {std::pair{figures.trace, known.trace}, std::pair{figures.build, known.build}}) {
         ++t.decisions;

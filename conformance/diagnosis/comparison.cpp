@@ -37,7 +37,7 @@ std::vector<std::uint8_t> Comparison::levels(const Fingerprint& mistake, std::si
 
 std::vector<MistakeMatches> Comparison::matches(const Fingerprint& mistake,
                                                 std::span<const PictureChange> changes) const {
-  std::vector<MistakeMatches> matches(1 + changes.size());
+  std::vector<MistakeMatches> matches(1 + changes.size(), {{}, {}, mistake.in_places});
   for (std::size_t i = 0; i < cases_.size(); ++i) {
     const bool unknown = std::ranges::find(mistake.no_picture, cases_[i].id) != mistake.no_picture.end();
     for (MistakeMatches& m : matches) m.unknown.push_back(unknown), m.cases.emplace_back();

@@ -59,7 +59,8 @@ class Diagnostician {
     for (std::size_t i = 0; i < mistakes_.size(); ++i) {
       singles.push_back(likeness(comparison_.deviations(), mistakes_[i]));
       entries.push_back({{i}, false, nullptr, singles.back()});
-      if (!fingerprints_[i].parts.empty()) singles.back() = {};  // a named pair is not paired again
+      // Not paired: what is a pair already, and what agrees here and there with anything.
+      if (!fingerprints_[i].parts.empty() || fingerprints_[i].in_places) singles.back() = {};
     }
     for (const LikelyPair& pair : likely_pairs(comparison_.deviations(), mistakes_, singles, kMostPairs))
       entries.push_back({{pair.mistakes[0], pair.mistakes[1]}, false, nullptr, pair.likeness});
@@ -92,6 +93,7 @@ class Diagnostician {
     if (a.finding || b.finding) return false;
     if (parts_of(a) == parts_of(b)) return true;
     if (a.mistakes.size() != 1 || b.mistakes.size() != 1) return false;
+    if (fingerprints_[a.mistakes[0]].in_places || fingerprints_[b.mistakes[0]].in_places) return false;
     return comparison_.likeness_of(fingerprints_[a.mistakes[0]], fingerprints_[b.mistakes[0]]) >= kSameLikeness;
   }
 

@@ -76,6 +76,26 @@ TEST(Diagnose, ACaseInWhichTheMistakeWouldShowSpeaksAgainstIt) {
   EXPECT_FALSE(diagnosis.confident);
 }
 
+TEST(Diagnose, AMistakeThatShowsInPlacesIsSeenByWhatAgrees) {
+  const Change everywhere = [](const std::string&, int, int) { return -30; };
+  const Change in_places = sum(patch("a", 3, 5, 20, 15, -30), patch("c", 30, 0, 39, 48, -30));
+  for (const bool known_to : {false, true}) {
+    SyntheticCases cases(in_places);
+    add_known(cases);
+    cases.add_mistake("lost", everywhere);
+    cases.fingerprints.back().in_places = known_to;
+    const Diagnosis diagnosis = cases.diagnosis();
+    EXPECT_EQ(!diagnosis.suspicions.empty() && diagnosis.suspicions[0].id == "lost", known_to);
+    EXPECT_FALSE(diagnosis.confident);
+  }
+  // Where it agrees with half of what is wrong, another that agrees with all comes first.
+  SyntheticCases cases(sum(patch("a", 0, 0, 20, 20, -40), patch("b", 0, 0, 20, 20, -30)));
+  cases.add_mistake("lost", everywhere);
+  cases.fingerprints.back().in_places = true;
+  cases.add_mistake("corners", sum(patch("a", 0, 0, 20, 20, -40), patch("b", 0, 0, 20, 20, -30)));
+  EXPECT_EQ(cases.diagnosis().suspicions.at(0).id, "corners");
+}
+
 TEST(Diagnose, ACaseWithoutAPictureSaysNothing) {
   SyntheticCases cases(patch("b", 0, 10, 64, 16, 30));
   cases.add_mistake("band", known()[3].second);

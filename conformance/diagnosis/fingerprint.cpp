@@ -88,6 +88,7 @@ void write_fingerprint(const Fingerprint& fingerprint, const fs::path& folder) {
   json["parts"] = fingerprint.parts;
   json["cases"] = cases;
   json["no_picture"] = fingerprint.no_picture;
+  json["in_places"] = fingerprint.in_places;
   if (fingerprint.change) json["change"] = to_json(*fingerprint.change);
   write_file_staged(folder / "mistake.json", json.dump(2) + "\n");
 }
@@ -105,6 +106,7 @@ Fingerprint read_fingerprint(const fs::path& folder) {
     fingerprint.step = json.at("step").get<std::string>();
     fingerprint.parts = json.at("parts").get<std::vector<std::string>>();
     fingerprint.no_picture = json.at("no_picture").get<std::vector<std::string>>();
+    fingerprint.in_places = json.at("in_places").get<bool>();
     if (json.contains("change")) fingerprint.change = picture_change(json.at("change"), file);
     for (const auto& id : json.at("cases").get<std::vector<std::string>>())
       fingerprint.pictures.emplace(id, StoredPicture(folder / (id + ".png")));

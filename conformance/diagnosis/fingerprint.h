@@ -46,6 +46,8 @@ struct Fingerprint {
   std::map<std::string, StoredPicture> pictures;
   /// The cases for which nothing usable is written (a crash, no end): not compared.
   std::vector<std::string> no_picture;
+  /// Whether a program with the mistake shows it only here and there, and the pictures show it everywhere.
+  bool in_places = false;
   /// Where the mistake does the same to every picture.
   std::optional<PictureChange> change;
 };

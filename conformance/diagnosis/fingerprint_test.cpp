@@ -41,6 +41,7 @@ class FingerprintFiles : public ::testing::Test {
       {"one", "two"},
       {{"sphere", StoredPicture({1, 2, 3, 4, 5, 6}, 2, 1)}, {"glass", StoredPicture({9, 8, 7}, 1, 1)}},
       {"mesh"},
+      true,
       {}};
   const fs::path folder_ = fs::temp_directory_path() / ("plumb-fingerprints-" + std::to_string(::getpid()));
 };
@@ -55,6 +56,7 @@ TEST_F(FingerprintFiles, AreReadAsTheyWereWritten) {
   EXPECT_EQ(all[0].step, fingerprint_.step);
   EXPECT_EQ(all[0].parts, fingerprint_.parts);
   EXPECT_EQ(all[0].no_picture, fingerprint_.no_picture);
+  EXPECT_EQ(all[0].in_places, fingerprint_.in_places);
   ASSERT_THAT(all[0].pictures, SizeIs(2));
   EXPECT_EQ(all[0].pictures.at("sphere").levels(2, 1), (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(all[0].pictures.at("glass").levels(1, 1), (std::vector<std::uint8_t>{9, 8, 7}));

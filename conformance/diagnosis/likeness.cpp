@@ -10,6 +10,8 @@ namespace {
 
 /// The share of a case's pixels at which it has half of the weight that it can have.
 constexpr double kHalfWeightShare = 0.005;
+/// Of what a mistake that shows in places explains.
+constexpr double kInPlaces = 0.8;
 constexpr double kAreaPart = 0.5, kAmountPart = 0.25, kDirectionPart = 0.25;
 
 /// Numbers of pixels.
@@ -82,6 +84,15 @@ CaseLikeness case_likeness(const Deviation& deviation, const Match* first, const
   return result;
 }
 
+/// The same of a mistake that shows in places: where it does not show, nothing speaks against it.
+CaseLikeness case_likeness_in_places(const Deviation& deviation, const Match* match) {
+  CaseLikeness result = case_likeness(deviation, match, nullptr);
+  const double pixels = static_cast<double>(deviation.difference.size() / 3), wrong = static_cast<double>(result.wrong);
+  result.weight = wrong / (wrong + kHalfWeightShare * pixels);
+  result.value = result.wrong == 0 ? 0 : kInPlaces * static_cast<double>(result.agreed) / wrong;
+  return result;
+}
+
 double share(std::int64_t part, std::int64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -107,7 +118,9 @@ const Match* match_in(const MistakeMatches& mistake, std::size_t i) {
 Likeness likeness(std::span<const Deviation> deviations, const MistakeMatches& mistake) {
   std::vector<CaseLikeness> cases(deviations.size());
   for (std::size_t i = 0; i < deviations.size(); ++i)
-    if (!mistake.unknown[i]) cases[i] = case_likeness(deviations[i], match_in(mistake, i), nullptr);
+    if (!mistake.unknown[i])
+      cases[i] = mistake.in_places ? case_likeness_in_places(deviations[i], match_in(mistake, i))
+                                   : case_likeness(deviations[i], match_in(mistake, i), nullptr);
   return over_all(std::move(cases));
 }
 

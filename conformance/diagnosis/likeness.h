@@ -15,6 +15,8 @@ struct MistakeMatches {
   std::vector<std::optional<Match>> cases;
   /// Cases that are left out, as nobody knows what a program with the mistake draws there.
   std::vector<bool> unknown;
+  /// Whether the mistake shows only here and there, nobody knows where.
+  bool in_places = false;
 };
 
 /// One case's part in a likeness.
@@ -46,6 +48,8 @@ struct Likeness {
 /// - a quarter compares what the pictures are off by in squares of 8 x 8 pixels, as the sum of the smaller over that of
 ///   the larger amounts [Ruzicka 1958]: two programs have different noise, but as much of it;
 /// - a quarter is the cosine between those sums: the same mistake with another constant goes into the same direction.
+/// Of a mistake that shows in places nothing counts but the share of the submission's wrong area that agrees, and that
+/// by four fifths: a picture that is wrong everywhere agrees with something more easily.
 Likeness likeness(std::span<const Deviation> deviations, const MistakeMatches& mistake);
 
 /// The same of two mistakes together, of which `a_alone` and `b_alone` are the likenesses. Nothing is drawn for it:

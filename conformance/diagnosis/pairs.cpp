@@ -87,7 +87,8 @@ std::vector<LikelyPair> likely_changed(std::span<const std::size_t> changes,
   std::vector<LikelyPair> pairs;
   for (std::size_t i = 0; i < changed.size(); ++i)
     for (std::size_t k = 0; k < changes.size(); ++k)
-      if (i != changes[k] && fingerprints[i].parts.empty() && changed[i][k].value >= least)
+      if (i != changes[k] && fingerprints[i].parts.empty() && !fingerprints[i].in_places &&
+          changed[i][k].value >= least)
         pairs.push_back({{i, changes[k]}, changed[i][k]});
   return likeliest(std::move(pairs), most);
 }

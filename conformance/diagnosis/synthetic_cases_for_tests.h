@@ -87,7 +87,7 @@ class SyntheticCases {
 
   /// Has a picture of each case that the change shows in.
   void add_mistake(const std::string& id, const Change& change, std::vector<std::string> parts = {}) {
-    Fingerprint f{id, "Mistake " + id, "Look at " + id + ".", "shaders", std::move(parts), {}, {}, {}};
+    Fingerprint f{id, "Mistake " + id, "Look at " + id + ".", "shaders", std::move(parts), {}, {}, false, {}};
     for (const DiagnosisCase& c : cases)
       if (const Levels levels = test_picture(c.id, change); levels != c.envelope->nominal)
         f.pictures.emplace(c.id, StoredPicture(levels, kTestWidth, kTestHeight));

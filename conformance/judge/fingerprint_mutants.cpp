@@ -67,6 +67,7 @@ std::optional<PictureChange> change_of(const Fingerprint& fingerprint, const std
 Fingerprint fingerprint_of(const Mutant& mutant, const fs::path& program, const std::vector<ReadCase>& cases) {
   Fingerprint result;
   result.id = mutant.id, result.name = mutant.name, result.hint = mutant.hint, result.step = mutant.step;
+  result.in_places = mutant.in_places;
   const TemporaryFolder folder("mistakes");
   for (const ReadCase& c : cases) {
     if (interrupt_flag()) break;

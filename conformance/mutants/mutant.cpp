@@ -107,6 +107,7 @@ Mutant read_mutant(const fs::path& file) {
   mutant.hint = filled_text(fields, "hint");
   mutant.step = filled_text(fields, "step");
   check_step(fields, mutant.step);
+  mutant.in_places = fields.flag("in_places", false);
   mutant.edits = read_edits(fields, table, file);
   mutant.caught_by = fields.texts("caught_by");
   mutant.accepted = fields.text("accepted", "");

@@ -26,6 +26,9 @@ struct Mutant {
   std::string hint;
   /// The step of the assignment it belongs to, one of mutant_steps().
   std::string step;
+  /// Whether a program with the mistake shows it only here and there, where its own order of search has it: the mutant
+  /// shows it everywhere.
+  bool in_places = false;
   /// At least one.
   std::vector<Edit> edits;
   /// Cases of suites/pa3.toml, and `check:ID` for a check: each alone must notice the mistake. Empty only where one of

@@ -38,6 +38,7 @@ caught_by = ["two-lights"]
 | `step` | the step of the assignment, one of those below |
 | `file`, `find`, `replace` | the `.cpp` file, relative to the project; the text in it, which must occur exactly once; what takes its place. For several, `[[edit]]` tables at the end with these three keys each, made in their order |
 | `caught_by` | cases of `suites/pa3.toml`, or `check:ID` for a check of `plumb check`: each of them alone has to notice the mistake |
+| `in_places` | true for a mistake that a program shows only here and there, where its own order of search has it; the mutant shows it everywhere (false) |
 | `accepted` | in place of `caught_by`: the variant of the suite that the mutant equals, so that it is no mistake there |
 | `equivalent` | in place of `caught_by`: the proof that no picture can differ |
 

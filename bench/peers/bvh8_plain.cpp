@@ -31,7 +31,7 @@ class PlainLeaves {
       const auto t = test_(corner(0), corner(1), corner(2));
       if (!t) continue;
       if constexpr (kAny) return true;
-      const std::uint32_t triangle = tree_.triangles.data()[leaf.first + slot];
+      const std::uint32_t triangle = tree_.triangles[leaf.first + slot];
       if (found_.hit() && *t == found_.t && triangle > found_.triangle) continue;
       found_ = {*t, triangle};
       rest_.t_max = *t;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "renderer/accel/mapped_array.h"
+#include "renderer/accel/triangle_numbers.h"
 #include "renderer/math/vec3.h"
 
 namespace plumb {
@@ -62,7 +63,7 @@ struct alignas(64) CacheLine {
 struct Bvh8Tree {
   MappedArray<CacheLine> lines;
   /// The mesh's number of each triangle of each leaf; a triangle may occur in several leaves.
-  MappedArray<std::uint32_t> triangles;
+  TriangleNumbers triangles;
   FilterFrame frame;
   /// Whether the vertices of the leaves are the mesh's own, to the bit.
   bool exact_vertices = false;

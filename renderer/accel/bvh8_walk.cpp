@@ -31,7 +31,7 @@ class FilteredLeaves {
     do {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(candidates));
       candidates &= candidates - 1;
-      const std::uint32_t& triangle = searched_.tree.triangles.data()[leaf.first + slot];
+      const TriangleNumbers::Number triangle = searched_.tree.triangles[leaf.first + slot];
       const TriangleVertices corners = searched_.tree.exact_vertices ? corners_of(leaf, slot) : corners_of(triangle);
       if constexpr (kAny) {
         if (closest_->meets(corners)) return true;

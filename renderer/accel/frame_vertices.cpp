@@ -3,23 +3,42 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
+#include <vector>
 
-#include "renderer/accel/in_parts.h"
 #include "renderer/math/bounds3.h"
 
 namespace plumb {
 namespace {
 
+/// So many vertices are worth another thread's while.
+constexpr std::size_t kBlock = 8192;
 constexpr double kLeastReach = 0x1p-20, kMostReach = 0x1p25;
 
 bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
+Bounds3 finite_bounds(std::span<const Point3> points) {
+  Bounds3 bounds;
+  for (const Point3& p : points)
+    if (is_finite(p)) bounds.extend(p);
+  return bounds;
+}
+
+/// By blocks in order, so that which of two equal zeros remains does not depend on threads.
+Bounds3 finite_bounds(std::span<const Point3> points, WorkerPool& pool) {
+  std::vector<Bounds3> parts((points.size() + kBlock - 1) / kBlock);
+  pool.blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    parts[begin / kBlock] = finite_bounds(points.subspan(begin, end - begin));
+  });
+  Bounds3 bounds;
+  for (const Bounds3& part : parts) bounds.extend(part);
+  return bounds;
+}
+
 }  // namespace
 
-FilterFrame frame_of(const TriangleMesh& mesh) {
-  Bounds3 bounds;
-  for (const Point3& p : mesh.positions)
-    if (is_finite(p)) bounds.extend(p);
+FilterFrame frame_of(const TriangleMesh& mesh, WorkerPool& pool) {
+  const Bounds3 bounds = finite_bounds(mesh.positions, pool);
   FilterFrame frame;
   if (bounds.empty()) return frame;
   const auto reach_from = [&](const Point3& center) {
@@ -44,10 +63,10 @@ FilterFrame frame_of(const TriangleMesh& mesh) {
   return frame;
 }
 
-FrameVertices::FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, int threads)
+FrameVertices::FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, WorkerPool& pool)
     : vertices_(mesh.positions.size()) {
   std::atomic<double> error = 0;
-  in_parts(mesh.positions.size(), threads, [&](std::size_t begin, std::size_t end) {
+  pool.blocks(mesh.positions.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     double largest = 0;
     for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, set(i, mesh.positions[i], frame));
     for (double seen = error; seen < largest && !error.compare_exchange_weak(seen, largest);) {

@@ -1,98 +1,71 @@
 #include "renderer/accel/triangle_groups.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
-#include "renderer/accel/in_parts.h"
+#include "renderer/accel/mesh_parts.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::uint32_t kNone = ~0U;
-
-/// Which vertices are joined by triangles.
-class Parts {
- public:
-  explicit Parts(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    for (const auto& [a, b, c] : mesh.triangles) {
-      join(a, b);
-      join(a, c);
-    }
-  }
-  /// The same for all vertices of a part.
-  std::uint32_t of(std::uint32_t vertex) {
-    while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
-    return vertex;
-  }
-  std::size_t size() const { return parent_.size(); }
-
- private:
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a);
-    b = of(b);
-    if (a < b) parent_[b] = a;
-    if (b < a) parent_[a] = b;
-  }
-
-  std::vector<std::uint32_t> parent_;
-};
+/// So many triangles are worth another thread's while.
+constexpr std::size_t kBlock = 4096;
 
 class Grouper {
  public:
-  Grouper(const TriangleMesh& mesh, const FrameVertices& vertices, int threads)
-      : mesh_(mesh), vertices_(vertices), threads_(threads) {}
+  Grouper(const TriangleMesh& mesh, const FrameVertices& vertices, WorkerPool& pool)
+      : mesh_(mesh), vertices_(vertices), pool_(pool) {}
 
   TriangleGroups group() {
-    const std::size_t count = mesh_.triangles.size();
-    result_.triangles = MappedArray<std::uint32_t>(count);
-    result_.groups = MappedArray<TriangleGroup>(count);
-    Parts parts(mesh_);
-    std::vector<std::uint32_t> part_vertices(parts.size());
-    for (std::uint32_t v = 0; v < parts.size(); ++v) ++part_vertices[parts.of(v)];
-    const bool has_small_parts = std::any_of(part_vertices.begin(), part_vertices.end(), [](std::uint32_t vertices) {
-      return vertices >= 3 && vertices <= kLeafVertices;
-    });
-    if (has_small_parts) {
-      by_part(parts, part_vertices);
-    } else {
+    result_.groups = MappedArray<TriangleGroup>(mesh_.triangles.size());
+    const MeshParts parts(mesh_, pool_);
+    if (parts.has_small())
+      by_part(parts);
+    else
       singly();
-    }
-    result_.triangles.shrink(listed_);
     result_.groups.shrink(groups_);
     return std::move(result_);
   }
 
  private:
-  /// All in order, in parts of the list; the few that are not finite are taken out afterwards.
+  /// All in order, in blocks; where some are not finite, again without them.
   void singly() {
     const std::size_t count = mesh_.triangles.size();
-    std::atomic<bool> all_finite = true;
-    in_parts(count, threads_, [&](std::size_t begin, std::size_t end) {
+    std::vector<GroupRange> blocks((count + kBlock - 1) / kBlock);
+    pool_.blocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+      GroupRange range;
       for (std::size_t i = begin; i < end; ++i) {
         const auto triangle = static_cast<std::uint32_t>(i);
-        result_.triangles[i] = triangle;
-        result_.groups[i].set(box_of(triangle), triangle, 1);
-        if (!is_finite(triangle)) all_finite = false;
+        if (!is_finite(triangle)) continue;
+        TriangleGroup& group = result_.groups[begin + range.end++];
+        group.set(box_of(triangle), triangle, 1);
+        range.add(group);
       }
+      blocks[begin / kBlock] = range;
     });
-    listed_ = groups_ = static_cast<std::uint32_t>(count);
-    if (all_finite) return;
-    const auto groups = std::span(result_.groups.data(), count);
-    const auto kept = std::remove_if(groups.begin(), groups.end(),
-                                     [&](const TriangleGroup& group) { return !is_finite(group.first()); });
-    groups_ = static_cast<std::uint32_t>(kept - groups.begin());
+    join(blocks);
   }
 
-  void by_part(Parts& parts, const std::vector<std::uint32_t>& part_vertices) {
-    std::vector<std::uint32_t> last(parts.size(), kNone), before(mesh_.triangles.size(), kNone);
+  /// Moves the groups of all blocks to the front.
+  void join(const std::vector<GroupRange>& blocks) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const TriangleGroup* first = &result_.groups[i * kBlock];
+      if (groups_ < i * kBlock) std::copy(first, first + blocks[i].count(), &result_.groups[groups_]);
+      groups_ += blocks[i].count();
+      result_.all.append(blocks[i]);
+    }
+    result_.all.end = groups_;
+  }
+
+  void by_part(const MeshParts& parts) {
+    result_.triangles = MappedArray<std::uint32_t>(mesh_.triangles.size());
+    std::vector<std::uint32_t> last(mesh_.positions.size(), kNone), before(mesh_.triangles.size(), kNone);
     for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
       if (!is_finite(i)) continue;
       const std::uint32_t part = parts.of(mesh_.triangles[i][0]);
-      if (part_vertices[part] > kLeafVertices) {
+      if (!parts.is_small(part)) {
         result_.triangles[listed_] = i;
         add_group(listed_++, 1);
       } else {
@@ -106,6 +79,8 @@ class Grouper {
       for (std::uint32_t i = triangle; i != kNone; i = before[i]) result_.triangles[listed_++] = i;
       cut(first, listed_ - first);
     }
+    result_.triangles.shrink(listed_);
+    result_.all.end = groups_;
   }
 
   /// Into groups of nearly the same size.
@@ -120,7 +95,8 @@ class Grouper {
   void add_group(std::uint32_t first, std::uint32_t count) {
     FloatBox box;
     for (std::uint32_t i = first; i < first + count; ++i) box.extend(box_of(result_.triangles[i]));
-    result_.groups[groups_++].set(box, first, count);
+    result_.groups[groups_].set(box, first, count);
+    result_.all.add(result_.groups[groups_++]);
   }
 
   FloatBox box_of(std::uint32_t triangle) const {
@@ -140,15 +116,15 @@ class Grouper {
 
   const TriangleMesh& mesh_;
   const FrameVertices& vertices_;
-  int threads_;
+  WorkerPool& pool_;
   TriangleGroups result_;
   std::uint32_t listed_ = 0, groups_ = 0;
 };
 
 }  // namespace
 
-TriangleGroups group_triangles(const TriangleMesh& mesh, const FrameVertices& vertices, int threads) {
-  return Grouper(mesh, vertices, threads).group();
+TriangleGroups group_triangles(const TriangleMesh& mesh, const FrameVertices& vertices, WorkerPool& pool) {
+  return Grouper(mesh, vertices, pool).group();
 }
 
 }  // namespace plumb

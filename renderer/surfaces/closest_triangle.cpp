@@ -23,7 +23,7 @@ bool ClosestTriangle::is_nearer(const TriangleMeeting& meeting, std::uint32_t tr
   return order < 0 || (order == 0 && triangle < best_triangle_);
 }
 
-void ClosestTriangle::consider(const std::uint32_t& triangle, const TriangleVertices& corners,
+void ClosestTriangle::consider(std::uint32_t triangle, const TriangleVertices& corners,
                                const ShearedTriangle& sheared) {
   const auto& [a, b, c] = corners;
   TriangleMeeting& meeting = meetings_[1 - best_];

@@ -29,8 +29,9 @@ class ClosestTriangle {
     offer(triangle, {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]});
   }
 
-  /// The same of one whose corners are at hand. Its number is read only if it is met.
-  [[gnu::always_inline]] void offer(const std::uint32_t& triangle, const TriangleVertices& corners) {
+  /// The same of one whose corners are at hand. Its number, or what turns into it, is read only if it may be met.
+  template <class Number>
+  [[gnu::always_inline]] void offer(const Number& triangle, const TriangleVertices& corners) {
     const ShearedTriangle sheared(ray_, corners[0], corners[1], corners[2]);
     if (sheared.is_missed(any_weight_error_)) return;
     // Nearly all others are surely met, in range and nearer than the best, or surely not.
@@ -80,7 +81,7 @@ class ClosestTriangle {
   }
   /// What the inline functions leave open.
   bool surely_meets(const ShearedTriangle& sheared, const TriangleVertices& corners) const;
-  void consider(const std::uint32_t& triangle, const TriangleVertices& corners, const ShearedTriangle& sheared);
+  void consider(std::uint32_t triangle, const TriangleVertices& corners, const ShearedTriangle& sheared);
   TriangleVertices vertices(std::uint32_t triangle) const;
   SurfaceHit hit_of(const TriangleMeeting& meeting) const;
   /// Whether this meeting lies before the best one, both in the range.

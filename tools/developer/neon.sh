@@ -10,8 +10,10 @@ mkdir -p "$build"
 # Highway's own library is not there for ARM: without dispatch at run time it is not needed, as every 64-bit ARM has NEON. Nor is MPFR, which
 # only rotations need: the linker drops the function that makes one.
 sources="tools/developer/same_hits.cpp meshes/generators/asked_size.cpp meshes/generators/icosphere.cpp meshes/generators/kinds/city.cpp
-  renderer/accel/binary_tree.cpp renderer/accel/bvh8.cpp renderer/accel/bvh8_builder.cpp renderer/accel/bvh8_walk.cpp
-  renderer/accel/filter_ray.cpp renderer/accel/frame_vertices.cpp renderer/accel/mapped_array.cpp renderer/accel/triangle_groups.cpp
+  renderer/accel/binary_tree.cpp renderer/accel/binned_split.cpp renderer/accel/bvh8.cpp renderer/accel/bvh8_builder.cpp
+  renderer/accel/bvh8_walk.cpp renderer/accel/filter_ray.cpp renderer/accel/frame_vertices.cpp renderer/accel/group_partition.cpp
+  renderer/accel/mapped_array.cpp renderer/accel/mesh_parts.cpp renderer/accel/triangle_groups.cpp renderer/accel/wide_gatherer.cpp
+  renderer/accel/worker_pool.cpp
   renderer/math/affine_product.cpp renderer/math/bounds3.cpp renderer/math/dyadic.cpp renderer/math/exact_sum.cpp
   renderer/math/input_error.cpp renderer/math/placed_ray.cpp renderer/math/support.cpp renderer/math/transform.cpp
   renderer/surfaces/closest_triangle.cpp renderer/surfaces/exact_triangle.cpp renderer/surfaces/triangle.cpp"

@@ -15,6 +15,9 @@ constexpr int kBalanced = 60;
 /// A subtree of no more groups is the work of one thread.
 constexpr std::uint32_t kOneThread = 4096;
 
+/// A range of so many triangles is only a few leaves.
+constexpr std::uint32_t kSoonLeaves = 32;
+
 /// Hands out nodes of an array in pairs. Those who share an array take runs of it, so as not to wait for each other.
 class NodePairs {
  public:
@@ -61,6 +64,7 @@ class BinaryBuilder {
     BinaryNode& node = nodes_[index];
     node.box = range.box;
     if (fill_leaf(node, range)) return;
+    if (range.triangles <= kSoonLeaves) expect(range);
     const auto [left, right] = split_groups(groups_, range, depth >= kBalanced, pool_);
     const std::uint32_t first = pairs.next();
     node.first = first;
@@ -73,6 +77,12 @@ class BinaryBuilder {
       build_node(first + 1, right, depth + 1, pairs);
     }
     set_costs(node, nodes_[first], nodes_[first + 1]);
+  }
+
+  /// Asks for what its leaves will read, which lies about.
+  void expect(const GroupRange& range) const {
+    for (const TriangleGroup& group : groups_.subspan(range.begin, range.count()))
+      if (listed_.triangles.empty()) __builtin_prefetch(&listed_.mesh.triangles[group.first()]);
   }
 
   /// Makes a leaf, if the range fits one.

@@ -34,9 +34,9 @@ class Binning {
   BoxCounts of(const FloatBox& box) const {
     return __builtin_convertvector((center_of(box) - low_) * scale_, BoxCounts);
   }
-  /// Whether of(box)[axis] < bin.
-  bool is_below(const FloatBox& box, int axis, int bin) const {
-    return ((box.low[axis] + box.high[axis]) - low_[axis]) * scale_[axis] < static_cast<float>(bin);
+  /// On each axis all ones where the centre's bin is below this one, else zero.
+  BoxCounts below(BoxSide center, int bin) const {
+    return (center - low_) * scale_ < BoxSide{} + static_cast<float>(bin);
   }
 
  private:

@@ -19,8 +19,13 @@ bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y
 
 Bounds3 finite_bounds(std::span<const Point3> points) {
   Bounds3 bounds;
-  for (const Point3& p : points)
-    if (is_finite(p)) bounds.extend(p);
+  for (const Point3& p : points) {
+    if (!is_finite(p)) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      bounds.min[axis] = std::min(bounds.min[axis], p[axis]);
+      bounds.max[axis] = std::max(bounds.max[axis], p[axis]);
+    }
+  }
   return bounds;
 }
 
@@ -33,6 +38,24 @@ Bounds3 finite_bounds(std::span<const Point3> points, WorkerPool& pool) {
   Bounds3 bounds;
   for (const Bounds3& part : parts) bounds.extend(part);
   return bounds;
+}
+
+/// A vertex in the frame. Raises `error` to how far its rounding moved it on an axis; that of one that is not finite
+/// counts for nothing.
+BoxSide placed(const Point3& p, const FilterFrame& frame, double& error) {
+  BoxSide vertex{};
+  double most = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double moved = p[axis] - frame.center[axis];
+    const double exact = moved * frame.factor;
+    vertex[axis] = static_cast<float>(exact);
+    // What the subtraction lost shows when it is undone.
+    const double lost = std::fabs((frame.center[axis] + moved) - p[axis]) * frame.factor;
+    const double off = std::fabs(static_cast<double>(vertex[axis]) - exact) + lost;
+    if (off > most) most = off;  // not of NaN, whose triangles are left out
+  }
+  if (std::isfinite(most)) error = std::max(error, most);
+  return vertex;
 }
 
 }  // namespace
@@ -68,28 +91,12 @@ FrameVertices::FrameVertices(const TriangleMesh& mesh, FilterFrame& frame, Worke
   std::atomic<double> error = 0;
   pool.blocks(mesh.positions.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     double largest = 0;
-    for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, set(i, mesh.positions[i], frame));
+    for (std::size_t i = begin; i < end; ++i) vertices_[i] = placed(mesh.positions[i], frame, largest);
     for (double seen = error; seen < largest && !error.compare_exchange_weak(seen, largest);) {
     }
   });
   frame.vertex_error = error;
   if (error > 0 && frame.center != Point3{}) frame.vertex_error += 0x1p-52 * frame.reach;
-}
-
-double FrameVertices::set(std::size_t i, const Point3& p, const FilterFrame& frame) {
-  BoxSide vertex{};
-  double error = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double moved = p[axis] - frame.center[axis];
-    const double exact = moved * frame.factor;
-    vertex[axis] = static_cast<float>(exact);
-    // What the subtraction lost shows when it is undone.
-    const double lost = std::fabs((frame.center[axis] + moved) - p[axis]) * frame.factor;
-    const double off = std::fabs(static_cast<double>(vertex[axis]) - exact) + lost;
-    if (off > error) error = off;  // not of NaN, whose triangles are left out
-  }
-  vertices_[i] = vertex;
-  return std::isfinite(error) ? error : 0;
 }
 
 }  // namespace plumb

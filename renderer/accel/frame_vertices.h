@@ -21,8 +21,6 @@ class FrameVertices {
   BoxSide operator[](std::uint32_t i) const { return vertices_[i]; }
 
  private:
-  double set(std::size_t i, const Point3& p, const FilterFrame& frame);
-
   MappedArray<BoxSide> vertices_;
 };
 

@@ -33,20 +33,27 @@ void extend_unless(FloatBox& box, BoxCounts point, BoxCounts leave_out) {
 
 /// Moves those below the plane to the front, without branches, as which side a group is on cannot be guessed: each is
 /// exchanged with the first that is not below.
-Sides part(std::span<TriangleGroup> groups, const Binning& binning, const BinnedSplit& split) {
+template <int kAxis>
+Sides part_along(std::span<TriangleGroup> groups, const Binning& binning, int bin) {
   Sides sides;
   for (TriangleGroup& at : groups) {
     const TriangleGroup group = at;
-    const bool is_below = binning.is_below(group.box, split.axis, split.bin);
-    const auto center = std::bit_cast<BoxCounts>(center_of(group.bounds()));
-    const BoxCounts below = BoxCounts{} - static_cast<std::int32_t>(is_below);
-    extend_unless(sides.left_centers, center, ~below);
-    extend_unless(sides.right_centers, center, below);
+    const BoxSide center = center_of(group.bounds());
+    const BoxCounts on_axes = binning.below(center, bin);
+    const BoxCounts below = __builtin_shufflevector(on_axes, on_axes, kAxis, kAxis, kAxis, kAxis);
+    extend_unless(sides.left_centers, std::bit_cast<BoxCounts>(center), ~below);
+    extend_unless(sides.right_centers, std::bit_cast<BoxCounts>(center), below);
     at = groups[sides.below];
     groups[sides.below] = group;
-    sides.below += is_below;
+    sides.below -= static_cast<std::uint32_t>(below[0]);  // all ones are -1
   }
   return sides;
+}
+
+Sides part(std::span<TriangleGroup> groups, const Binning& binning, const BinnedSplit& split) {
+  if (split.axis == 0) return part_along<0>(groups, binning, split.bin);
+  if (split.axis == 1) return part_along<1>(groups, binning, split.bin);
+  return part_along<2>(groups, binning, split.bin);
 }
 
 /// A range of groups in slices.
@@ -132,7 +139,7 @@ std::pair<GroupRange, GroupRange> halves(std::span<const TriangleGroup> groups, 
 
 std::pair<GroupRange, GroupRange> split_groups(std::span<TriangleGroup> groups, const GroupRange& range, bool by_number,
                                                WorkerPool& pool) {
-  if (by_number) return halves(groups, range);
+  if (by_number || range.count() == 2) return halves(groups, range);
   const std::span<TriangleGroup> part_of = groups.subspan(range.begin, range.count());
   const Binning binning(range.centers, bins_for(range.count()));
   const bool is_long = range.count() >= kSliced;

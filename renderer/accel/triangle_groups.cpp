@@ -106,12 +106,9 @@ class Grouper {
   }
 
   bool is_finite(std::uint32_t triangle) const {
-    float sum = 0;
-    for (const std::uint32_t vertex : mesh_.triangles[triangle]) {
-      const BoxSide p = vertices_[vertex];
-      sum += (p[0] + p[1]) + p[2];  // floats of moderate size: no finite ones overflow
-    }
-    return std::isfinite(sum);
+    const auto& [a, b, c] = mesh_.triangles[triangle];
+    const BoxSide sums = (vertices_[a] + vertices_[b]) + vertices_[c];
+    return std::isfinite((sums[0] + sums[1]) + sums[2]);  // floats of moderate size: no finite ones overflow
   }
 
   const TriangleMesh& mesh_;

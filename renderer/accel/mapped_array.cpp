@@ -8,15 +8,16 @@
 namespace plumb {
 namespace {
 
-std::size_t whole_pages(std::size_t bytes) {
-  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  return (bytes + page - 1) / page * page;
-}
+constexpr std::size_t kHugePage = std::size_t{1} << 21;
+
+std::size_t whole(std::size_t page, std::size_t bytes) { return (bytes + page - 1) / page * page; }
+std::size_t whole_pages(std::size_t bytes) { return whole(static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), bytes); }
 
 }  // namespace
 
 MappedMemory::MappedMemory(std::size_t bytes) {
-  bytes = whole_pages(bytes);
+  // As many huge pages as it takes, not all but what is left over: shrinking gives back what was too much.
+  bytes = bytes < kHugePage ? whole_pages(bytes) : whole(kHugePage, bytes);
   if (bytes == 0) return;
   void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) throw std::bad_alloc();

@@ -21,28 +21,30 @@ class TriangleNumbers {
         mask_(triangles <= (1U << 24) ? 0xFFFFFF : 0xFFFFFFFF),
         bytes_(size > 0 ? size * width_ + kBehind : 0) {}
 
-  /// A number that is read when it is asked for.
+  /// A number that is read when it is asked for, of a list that is still there.
   class Number {
    public:
-    Number(const std::byte* at, std::uint32_t mask) : at_(at), mask_(mask) {}
-    operator std::uint32_t() const {
-      std::uint32_t word;
-      std::memcpy(&word, at_, sizeof word);
-      return word & mask_;
-    }
+    Number(const TriangleNumbers& list, std::size_t i) : list_(list), i_(i) {}
+    operator std::uint32_t() const { return list_.at(i_); }
 
    private:
-    const std::byte* at_;
-    std::uint32_t mask_;
+    const TriangleNumbers& list_;
+    std::size_t i_;
   };
 
-  Number operator[](std::size_t i) const { return {bytes_.data() + i * width_, mask_}; }
+  Number operator[](std::size_t i) const { return {*this, i}; }
   /// Different ones may be set at the same time.
   void set(std::size_t i, std::uint32_t number) { std::memcpy(bytes_.data() + i * width_, &number, width_); }
   const std::byte* data() const { return bytes_.data(); }
   std::size_t bytes() const { return bytes_.size(); }
 
  private:
+  std::uint32_t at(std::size_t i) const {
+    std::uint32_t word;
+    std::memcpy(&word, bytes_.data() + i * width_, sizeof word);
+    return word & mask_;
+  }
+
   /// The last is read as a whole word, too.
   static constexpr std::size_t kBehind = 1;
 

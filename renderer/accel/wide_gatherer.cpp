@@ -39,16 +39,17 @@ class Gatherer {
   Gatherer(const BinaryTree& binary, Bvh8Tree& tree, WorkerPool& pool) : binary_(binary), tree_(tree), pool_(pool) {}
 
   void gather() {
-    Space used = plan();
-    tree_.lines = MappedArray<CacheLine>(used.lines);
-    tree_.triangles = TriangleNumbers(used.triangles, binary_.listed.mesh.triangles.size());
-    used = {kNodeLines, 0};
+    const Space all = plan();
+    tree_.lines = MappedArray<CacheLine>(all.lines);
+    tree_.triangles = TriangleNumbers(all.triangles, binary_.listed.mesh.triangles.size());
+    Space used{kNodeLines, 0};
     std::size_t part = 0;
     write_top(0, 0, used, part);
     pool_.each(parts_.size(), [&](std::size_t i) {
       Space space = parts_[i].space;
       write(parts_[i].line, parts_[i].root, space);
     });
+    tree_.lines.shrink(all.lines);  // the end of its last huge page
   }
 
  private:

@@ -7,7 +7,8 @@
 namespace plumb {
 
 /// Anonymous memory that takes space only where it was written: `bytes` of it, zero, at the start of a page, in huge
-/// pages where the system has them. Throws std::bad_alloc.
+/// pages where the system has them; what is left over of the last of these is given back by shrink. Throws
+/// std::bad_alloc.
 class MappedMemory {
  public:
   MappedMemory() = default;

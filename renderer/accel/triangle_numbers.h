@@ -35,6 +35,8 @@ class TriangleNumbers {
   Number operator[](std::size_t i) const { return {*this, i}; }
   /// Different ones may be set at the same time.
   void set(std::size_t i, std::uint32_t number) { std::memcpy(bytes_.data() + i * width_, &number, width_); }
+  /// Gives back what the system mapped beyond the list, when all are set.
+  void trim() { bytes_.shrink(bytes_.size()); }
   const std::byte* data() const { return bytes_.data(); }
   std::size_t bytes() const { return bytes_.size(); }
 

@@ -49,7 +49,9 @@ class Gatherer {
       Space space = parts_[i].space;
       write(parts_[i].line, parts_[i].root, space);
     });
-    tree_.lines.shrink(all.lines);  // the end of its last huge page
+    // The ends of the last huge pages.
+    tree_.lines.shrink(all.lines);
+    tree_.triangles.trim();
   }
 
  private:

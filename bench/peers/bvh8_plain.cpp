@@ -53,14 +53,14 @@ class PlainLeaves {
 bench::Found plain_closest(const Bvh8Tree& tree, const Ray& ray, const FilterRay& filter) {
   TraceCounters counters;
   PlainLeaves<false> leaves(tree, filter, ray);
-  Walk(tree, filter).run<false>(leaves, counters);
+  Walk(tree, filter).to_nearest(leaves, counters);
   return leaves.found();
 }
 
 bool plain_any(const Bvh8Tree& tree, const Ray& ray, const FilterRay& filter) {
   TraceCounters counters;
   PlainLeaves<true> leaves(tree, filter, ray);
-  return Walk(tree, filter).run<true>(leaves, counters);
+  return Walk(tree, filter).to_any(leaves, counters);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -41,72 +41,101 @@ class Entry {
   std::uint64_t bits_;
 };
 
-/// Visits the leaves that the ray may meet, roughly near to far. `Leaves` looks at their triangles:
-///   bool visit(const Bvh8Leaf&, float& t_max)   t_max may be lowered, in the filter's frame; true ends the walk.
+/// Visits the leaves that the ray may meet. `Leaves` looks at their triangles:
+///   bool visit(const Bvh8Leaf&, float& t_max)
+/// For the nearest it may lower t_max, in the filter's frame; for any it returns true to end the walk.
 class Walk {
  public:
   HWY_INLINE Walk(const Bvh8Tree& tree, const FilterRay& filter)
       : base_(reinterpret_cast<const char*>(tree.lines.data())), filter_(filter), node_test_(filter) {}
 
-  /// Without an order between siblings with kAny. Whether `leaves` ended it.
-  template <bool kAny, class Leaves>
-  HWY_INLINE bool run(Leaves& leaves, TraceCounters& counters) {
+  /// Roughly near to far.
+  template <class Leaves>
+  HWY_INLINE void to_nearest(Leaves& leaves, TraceCounters& counters) {
     float t_max = filter_.t_max;
     Entry* top = stack_;
     Bvh8Reference reference = 0;
     for (;;) {
-      if ((reference & 1) == 0) {
+      if (is_node(reference)) {
         ++counters.node_visits;
-        const Bvh8Node& node = *std::launder(reinterpret_cast<const Bvh8Node*>(at(reference)));
+        const Bvh8Node& node = this->node(reference);
         alignas(32) std::array<float, 8> entered;
         const std::uint32_t hits = node_test_(node, entered.data());
         if (hits != 0) {
-          reference = take<kAny>(node, hits, entered, top);
+          reference = nearest(node, hits, entered, top);
           continue;
         }
       } else {
-        const Bvh8Leaf& leaf = *std::launder(reinterpret_cast<const Bvh8Leaf*>(at(reference) - kHalfLine));
-        counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
         const float before = t_max;
-        if (leaves.visit(leaf, t_max)) return true;
+        leaves.visit(counted(reference, counters), t_max);
         if (t_max < before) node_test_.set_t_max(t_max);
       }
       do {
-        if (top == stack_) return false;
+        if (top == stack_) return;
         --top;
       } while (!(top->t() <= t_max));
       reference = top->reference();
     }
   }
 
+  /// In no order, until `leaves` ends it; whether it did.
+  template <class Leaves>
+  HWY_INLINE bool to_any(Leaves& leaves, TraceCounters& counters) {
+    float t_max = filter_.t_max;
+    Bvh8Reference stack[kMostAside];
+    Bvh8Reference* top = stack;
+    Bvh8Reference reference = 0;
+    for (;;) {
+      if (is_node(reference)) {
+        ++counters.node_visits;
+        const Bvh8Node& node = this->node(reference);
+        std::uint32_t hits = node_test_(node);
+        if (hits != 0) {
+          reference = node.child[taken_slot(hits)];
+          while (hits != 0) *top++ = node.child[taken_slot(hits)];
+          continue;
+        }
+      } else if (leaves.visit(counted(reference, counters), t_max)) {
+        return true;
+      }
+      if (top == stack) return false;
+      reference = *--top;
+    }
+  }
+
  private:
-  /// Returns the nearest of the hit children and puts the others on the stack, nearer ones higher; with kAny in no
-  /// order. Two and three are sorted without a branch, as their order cannot be guessed. The way from the mask to the
-  /// next node is kept short: all else waits for it.
-  template <bool kAny>
-  HWY_INLINE Bvh8Reference take(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered,
-                                Entry*& top) const {
-    const auto next = [&] {
-      const auto slot = static_cast<std::uint32_t>(std::countr_zero(hits));
-      hits &= hits - 1;
-      return slot;
-    };
+  /// At most seven entries a level, and one that is not put aside.
+  static constexpr std::size_t kMostAside = 7 * kBvh8Deepest + 1;
+
+  static HWY_INLINE bool is_node(Bvh8Reference reference) { return (reference & 1) == 0; }
+  HWY_INLINE const Bvh8Node& node(Bvh8Reference reference) const {
+    return *std::launder(reinterpret_cast<const Bvh8Node*>(at(reference)));
+  }
+  HWY_INLINE const Bvh8Leaf& counted(Bvh8Reference reference, TraceCounters& counters) const {
+    const Bvh8Leaf& leaf = *std::launder(reinterpret_cast<const Bvh8Leaf*>(at(reference) - kHalfLine));
+    counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
+    return leaf;
+  }
+  /// The lowest of the slots, which is taken out.
+  static HWY_INLINE std::uint32_t taken_slot(std::uint32_t& slots) {
+    const auto slot = static_cast<std::uint32_t>(std::countr_zero(slots));
+    slots &= slots - 1;
+    return slot;
+  }
+
+  /// Returns the nearest of the hit children and puts the others on the stack, nearer ones higher. Two and three are
+  /// sorted without a branch, as their order cannot be guessed. The way from the mask to the next node is kept short:
+  /// all else waits for it.
+  HWY_INLINE Bvh8Reference nearest(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered,
+                                   Entry*& top) const {
+    if ((hits & (hits - 1)) == 0) return node.child[taken_slot(hits)];
     const auto next_entry = [&] {
-      const std::uint32_t slot = next();
+      const std::uint32_t slot = taken_slot(hits);
       return Entry(entered[slot], node.child[slot]);
     };
-    if ((hits & (hits - 1)) == 0) return node.child[next()];
-    if constexpr (kAny) {
-      const Bvh8Reference first = node.child[next()];
-      do {
-        *top = next_entry();
-        prefetch(*top++);
-      } while (hits != 0);
-      return first;
-    }
     Entry a = next_entry(), b = next_entry();
     Entry::sort(a, b);
-    prefetch(a);
+    prefetch(a.reference());
     if (hits == 0) {
       *top++ = a;
       return b.reference();
@@ -114,7 +143,7 @@ class Walk {
     Entry c = next_entry();
     Entry::sort(b, c);
     Entry::sort(a, b);
-    prefetch(b);
+    prefetch(b.reference());
     Entry* const bottom = top;
     top[0] = a;
     top[1] = b;
@@ -122,7 +151,7 @@ class Walk {
     while (hits != 0) {
       Entry other = next_entry();
       Entry::sort(other, c);
-      prefetch(other);
+      prefetch(other.reference());
       Entry* place = top++;
       for (; place > bottom && place[-1] < other; --place) place[0] = place[-1];
       *place = other;
@@ -136,16 +165,15 @@ class Walk {
   }
   static constexpr std::size_t kHalfLine = sizeof(CacheLine) / 2;
 
-  HWY_INLINE void prefetch(Entry entry) const {
-    __builtin_prefetch(at(entry.reference()));
-    __builtin_prefetch(at(entry.reference()) + sizeof(CacheLine));
+  HWY_INLINE void prefetch(Bvh8Reference reference) const {
+    __builtin_prefetch(at(reference));
+    __builtin_prefetch(at(reference) + sizeof(CacheLine));
   }
 
   const char* base_;
   const FilterRay& filter_;
   NodeTest node_test_;
-  /// At most seven entries a level, and one that is not put aside.
-  Entry stack_[7 * kBvh8Deepest + 1];
+  Entry stack_[kMostAside];
 };
 
 }  // namespace HWY_NAMESPACE

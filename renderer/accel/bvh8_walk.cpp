@@ -52,16 +52,17 @@ class FilteredLeaves {
     const Float8 ax = load8(leaf.vertices[filter_.axis[0]].data()) - all8(filter_.origin[0]);
     const Float8 ay = load8(leaf.vertices[filter_.axis[1]].data()) - all8(filter_.origin[1]);
     const Float8 az = load8(leaf.vertices[filter_.axis[2]].data()) - all8(filter_.origin[2]);
-    const Float8 x = ax - all8(filter_.shear_x) * az;
-    const Float8 y = ay - all8(filter_.shear_y) * az;
+    const Float8 x = less_product(ax, all8(filter_.shear_x), az);
+    const Float8 y = less_product(ay, all8(filter_.shear_y), az);
     const Float8 size = size_of(x) + size_of(y);
     const Lanes8 a = lanes_from(leaf.corner[0].data()), b = lanes_from(leaf.corner[1].data()),
                  c = lanes_from(leaf.corner[2].data());
     const Float8 xa = taken(x, a), xb = taken(x, b), xc = taken(x, c);
     const Float8 ya = taken(y, a), yb = taken(y, b), yc = taken(y, c);
     const Float8 sizes = (taken(size, a) + taken(size, b)) + taken(size, c);
-    const Float8 u = xc * yb - yc * xb, v = xa * yc - ya * xc, w = xb * ya - yb * xa;
-    const Float8 error = sizes * all8(filter_.weight_error) + all8(filter_.weight_error_constant);
+    const Float8 u = product_less(xc, yb, yc * xb), v = product_less(xa, yc, ya * xc),
+                 w = product_less(xb, ya, yb * xa);
+    const Float8 error = product_plus(sizes, all8(filter_.weight_error), all8(filter_.weight_error_constant));
     const Float8 lowest = low(low(u, v), w), highest = high(high(u, v), w);
     // Rejected: lowest < -error and highest > error.
     const std::uint32_t kept = at_most(negative(error), lowest) | at_most(highest, error);
@@ -76,13 +77,13 @@ class FilteredLeaves {
     const Float8 det = (u + v) + w;
     const Float8 area = size_of(det);
     const Float8 t_a = za * all8(filter_.reciprocal_z);
-    const Float8 rise = negated_like((v * zb + w * zc) * all8(filter_.reciprocal_z), det);
-    const Float8 area_error = error * all8(kAreaError) + area * all8(0x1p-21F);
-    const Float8 rise_error = (error * (size_of(zb) + size_of(zc))) * all8(filter_.reciprocal_size_z) +
-                              (area + error * all8(kWeightsError)) * all8(filter_.depth_error);
+    const Float8 rise = negated_like(product_plus(v, zb, w * zc) * all8(filter_.reciprocal_z), det);
+    const Float8 area_error = product_plus(error, all8(kAreaError), area * all8(0x1p-21F));
+    const Float8 rise_error = product_plus(error * (size_of(zb) + size_of(zc)), all8(filter_.reciprocal_size_z),
+                                           product_plus(error, all8(kWeightsError), area) * all8(filter_.depth_error));
     const Float8 start = all8(filter_.t_min) - t_a, end = all8(t_max) - t_a;
-    const std::uint32_t not_before = at_most(start * area - size_of(start) * area_error, rise + rise_error);
-    const std::uint32_t not_beyond = at_most(rise - rise_error, end * area + size_of(end) * area_error);
+    const std::uint32_t not_before = at_most(product_less(start, area, size_of(start) * area_error), rise + rise_error);
+    const std::uint32_t not_beyond = at_most(rise - rise_error, product_plus(end, area, size_of(end) * area_error));
     const std::uint32_t is_flat = at_most(area, area_error);
     return candidates & ((not_before & not_beyond) | is_flat);
   }
@@ -112,13 +113,13 @@ class FilteredLeaves {
 std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter,
                                   TraceCounters& counters) {
   FilteredLeaves<false> leaves(searched, ray, filter);
-  Walk(searched.tree, filter).run<false>(leaves, counters);
+  Walk(searched.tree, filter).to_nearest(leaves, counters);
   return leaves.result();
 }
 
 bool any(const SearchedMesh& searched, const PlacedRay& ray, const FilterRay& filter, TraceCounters& counters) {
   FilteredLeaves<true> leaves(searched, ray, filter);
-  return Walk(searched.tree, filter).run<true>(leaves, counters);
+  return Walk(searched.tree, filter).to_any(leaves, counters);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -30,8 +30,8 @@ struct Needed {
   int weights = 0, depths = 0;
 };
 
-/// A triangle as Walk::test_leaf sees it, in the same operations; with its exact numbers in 64 bits, 2^40 times as
-/// close. The filter is given `rounded`, which is within `ray_error` of the ray.
+/// A triangle as the test of a leaf sees it, in the same operations, none of them fused; with its exact numbers in 64
+/// bits, 2^40 times as close. The filter is given `rounded`, which is within `ray_error` of the ray.
 void measure(const Ray& ray, const Ray& rounded, const RayError& ray_error, const FilterFrame& frame,
              const std::array<Point3, 3>& corners, Needed& needed) {
   FilterRay filter;

@@ -1,5 +1,6 @@
-// Eight floats at once, for whatever target Highway compiles this for; included once a target. Sums and products are
-// single operations, so every target gives the same bits.
+// Eight floats at once, for whatever target Highway compiles this for; included once a target. Only what is named so is
+// fused, where the target can: what is computed in floats rejects within bounds that hold for both, so a target may
+// visit a node more than another, and finds the same hits.
 #if defined(PLUMB_RENDERER_ACCEL_LANES8_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLUMB_RENDERER_ACCEL_LANES8_INL_H
 #undef PLUMB_RENDERER_ACCEL_LANES8_INL_H
@@ -94,6 +95,9 @@ HWY_INLINE std::uint32_t at_most(Float8 a, Float8 b) {
   hn::StoreMaskBits(Eight(), hn::Le(a, b), &bits);
   return bits;
 }
+HWY_INLINE Float8 product_plus(Float8 a, Float8 b, Float8 c) { return hn::MulAdd(a, b, c); }
+HWY_INLINE Float8 product_less(Float8 a, Float8 b, Float8 c) { return hn::MulSub(a, b, c); }
+HWY_INLINE Float8 less_product(Float8 c, Float8 a, Float8 b) { return hn::NegMulAdd(a, b, c); }
 HWY_INLINE Float8 low(Float8 a, Float8 b) { return hn::Min(a, b); }
 HWY_INLINE Float8 high(Float8 a, Float8 b) { return hn::Max(a, b); }
 HWY_INLINE Float8 size_of(Float8 a) { return hn::Abs(a); }
@@ -141,6 +145,10 @@ HWY_INLINE Float8 taken(Float8 v, Lanes8 lanes) {
 }
 /// A bit for each lane in which p <= q.
 HWY_INLINE std::uint32_t at_most(Float8 p, Float8 q) { return at_most4(p.a, q.a) | at_most4(p.b, q.b) << 4; }
+/// p q + r, p q - r and r - p q, in one rounding where the target has that, in two otherwise.
+HWY_INLINE Float8 product_plus(Float8 p, Float8 q, Float8 r) { return p * q + r; }
+HWY_INLINE Float8 product_less(Float8 p, Float8 q, Float8 r) { return p * q - r; }
+HWY_INLINE Float8 less_product(Float8 r, Float8 p, Float8 q) { return r - p * q; }
 HWY_INLINE Float8 low(Float8 p, Float8 q) { return {low4(p.a, q.a), low4(p.b, q.b)}; }
 HWY_INLINE Float8 high(Float8 p, Float8 q) { return {high4(p.a, q.a), high4(p.b, q.b)}; }
 HWY_INLINE Float8 size_of(Float8 p) { return {size4(p.a), size4(p.b)}; }

@@ -23,14 +23,22 @@ class NodeTest {
 
   /// A bit for each child whose box the ray may meet, and where it does so at the earliest, eight numbers.
   HWY_INLINE std::uint32_t operator()(const Bvh8Node& node, float* entered) const {
-    const Sides x = x_.sides(node, 0), y = y_.sides(node, 1), z = z_.sides(node, 2);
-    const Float8 near = high(high(x.near, y.near), high(z.near, t_min_));
-    const Float8 far = low(low(x.far, y.far), low(z.far, t_max_));
-    store8(near, entered);
-    return at_most(near, far);
+    return test(node, [&](Float8 near) { store8(near, entered); });
+  }
+  HWY_INLINE std::uint32_t operator()(const Bvh8Node& node) const {
+    return test(node, [](Float8) {});
   }
 
  private:
+  template <class Entered>
+  HWY_INLINE std::uint32_t test(const Bvh8Node& node, const Entered& entered) const {
+    const Sides x = x_.sides(node, 0), y = y_.sides(node, 1), z = z_.sides(node, 2);
+    const Float8 near = high(high(x.near, y.near), high(z.near, t_min_));
+    const Float8 far = low(low(x.far, y.far), low(z.far, t_max_));
+    entered(near);
+    return at_most(near, far);
+  }
+
   struct Sides {
     Float8 near, far;
   };
@@ -45,7 +53,8 @@ class NodeTest {
           far_(8 - near_) {}
     HWY_INLINE Sides sides(const Bvh8Node& node, std::size_t axis) const {
       const float* const rows = node.sides[axis][0].data();
-      return {load8(rows + near_) * reciprocal_ - near_origin_, load8(rows + far_) * reciprocal_ - far_origin_};
+      return {product_less(load8(rows + near_), reciprocal_, near_origin_),
+              product_less(load8(rows + far_), reciprocal_, far_origin_)};
     }
 
    private:

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# neon.sh [RAYS]: whether the 8-wide hierarchy takes the same steps to the same hits on ARM's NEON as on this processor: cross-compiles same_hits,
+# neon.sh [RAYS]: whether the 8-wide hierarchy finds the same hits on ARM's NEON as on this processor: cross-compiles same_hits,
 # runs it under qemu-user and compares its hashes with those of the release build. Needs g++-aarch64-linux-gnu and qemu-user.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -34,7 +34,7 @@ printf '%s\n%s\n' "$ours" "$arms"
 
 # field NAME: its different values in both answers, one a line.
 field() { printf '%s\n%s\n' "$ours" "$arms" | sed -n "s/.* $1 \([0-9a-f]*\).*/\1/p" | sort -u; }
-for name in hits blocked steps; do
+for name in hits blocked triangles; do
   [[ $(field $name | wc -l) == 1 ]] || { echo "$name differ" >&2; exit 1; }
 done
 [[ $(field numbers | wc -l) == 1 ]] || echo "some t, u or v differ: 64-bit significands are wider on ARM (docs/performance.md)"

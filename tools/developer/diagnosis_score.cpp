@@ -128,7 +128,7 @@ double wilson(std::int64_t hits, std::int64_t tries, int side) {
 
 }  // namespace
 
-double Rate::low() const { return wilson(hits, tries, -1); }
+double Rate::low() const { return std::max(0.0, wilson(hits, tries, -1)); }  // rounding may leave less
 double Rate::high() const { return wilson(hits, tries, 1); }
 
 DiagnosisKnowledge read_knowledge(const fs::path& built) {

@@ -33,8 +33,8 @@ class SuiteScoreCommandTest : public ProgramTest {
   /// The mistake shows in these cases of the suite, in JSON.
   void show_in(const std::string& cases) const {
     write("built/fingerprints/lights-overwrite/mistake.json",
-          "{\"schema\": 1, \"name\": \"n\", \"hint\": \"h\", \"step\": \"lights\", \"parts\": [], \"cases\": " + cases +
-              ", \"no_picture\": []}");
+          "{\"schema\": 2, \"name\": \"n\", \"hint\": \"h\", \"step\": \"lights\", \"parts\": [], \"cases\": " + cases +
+              ", \"no_picture\": [], \"in_places\": false}");
     for (const char* name : {"two-lights", "phong"})
       fs::copy_file(folder_ / "wrong.png",
                     folder_ / "built/fingerprints/lights-overwrite" / (std::string(name) + ".png"),

@@ -22,8 +22,8 @@ struct LikelyPair {
 std::vector<LikelyPair> likely_pairs(std::span<const Deviation> deviations, std::span<const MistakeMatches> mistakes,
                                      std::span<const Likeness> singles, std::size_t most);
 
-/// Mistakes that change every picture and by themselves account for some of what is wrong, by number, the likeliest
-/// first: worth putting on top of all others.
+/// Mistakes that change every picture and by themselves explain some of what is wrong, by number, those that explain
+/// most first: worth putting on top of all others. Two at most.
 std::vector<std::size_t> likely_changes(const Comparison& comparison, std::span<const Fingerprint> fingerprints);
 
 /// The pairs of a mistake and one of these `changes` on top that account for a submission clearly better than the best

@@ -71,8 +71,8 @@ struct GrowthSettings {
 /// reading and building cost is the same for all of them, so the slope of processor time over rays is the cost of a
 /// ray, and the intercept, less a run on next to nothing, that of building. Resolutions are raised until the three lie
 /// on a line within 10 % (just-in-time compilers) and the times differ by `least_seconds`. Rounds over all sizes
-/// follow, up to five, fewer when the answer is sure; where five do not decide, it is tried again with twice the rays,
-/// at most three times.
+/// follow, up to five, fewer when the answer is sure; where five do not decide, it is tried again with three times the
+/// rays, at most three times.
 ///
 /// A size that takes too long for the budget is only timed once, for its building, if the sizes below it span 64 times;
 /// otherwise GrowthStop with the verdict `timeout`. Undecided, or out of budget: `undecided`, with a note.

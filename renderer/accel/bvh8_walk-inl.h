@@ -20,6 +20,20 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb {
 namespace HWY_NAMESPACE {
 
+/// The lowest of the slots, which is taken out.
+HWY_INLINE std::uint32_t taken_slot(std::uint32_t& slots) {
+  const auto slot = static_cast<std::uint32_t>(std::countr_zero(slots));
+  slots &= slots - 1;
+  return slot;
+}
+
+/// The highest.
+HWY_INLINE std::uint32_t taken_last_slot(std::uint32_t& slots) {
+  const std::uint32_t slot = 31 - static_cast<std::uint32_t>(std::countl_zero(slots));
+  slots ^= 1U << slot;
+  return slot;
+}
+
 /// A child and where the ray enters its box, in one number that sorts by the latter: the bits of t >= 0, then the
 /// reference.
 class Entry {
@@ -53,12 +67,14 @@ class Walk {
   template <class Leaves>
   HWY_INLINE void to_nearest(Leaves& leaves, TraceCounters& counters) {
     float t_max = filter_.t_max;
-    Entry* top = stack_;
+    Entry stack[kMostAside];  // not a member: all others may then be kept in registers
+    Entry* top = stack;
     Bvh8Reference reference = 0;
     for (;;) {
       if (is_node(reference)) {
         ++counters.node_visits;
         const Bvh8Node& node = this->node(reference);
+        __builtin_prefetch(&node.child);  // which line that is else shows only when the others are there
         alignas(32) std::array<float, 8> entered;
         const std::uint32_t hits = node_test_(node, entered.data());
         if (hits != 0) {
@@ -71,17 +87,19 @@ class Walk {
         if (t_max < before) node_test_.set_t_max(t_max);
       }
       do {
-        if (top == stack_) return;
+        if (top == stack) return;
         --top;
       } while (!(top->t() <= t_max));
       reference = top->reference();
     }
   }
 
-  /// In no order, until `leaves` ends it; whether it did.
+  /// Roughly far to near, until `leaves` ends it; whether it did. Most rays of this kind leave a surface, which is what
+  /// they meet first without being blocked. A node's children lie from low to high, as the builder split them.
   template <class Leaves>
   HWY_INLINE bool to_any(Leaves& leaves, TraceCounters& counters) {
     float t_max = filter_.t_max;
+    const bool forward = filter_.reciprocal_z > 0;
     Bvh8Reference stack[kMostAside];
     Bvh8Reference* top = stack;
     Bvh8Reference reference = 0;
@@ -91,8 +109,9 @@ class Walk {
         const Bvh8Node& node = this->node(reference);
         std::uint32_t hits = node_test_(node);
         if (hits != 0) {
+          // A child more than is put aside, which is walked next: the farthest.
+          while ((hits & (hits - 1)) != 0) *top++ = node.child[forward ? taken_slot(hits) : taken_last_slot(hits)];
           reference = node.child[taken_slot(hits)];
-          while (hits != 0) *top++ = node.child[taken_slot(hits)];
           continue;
         }
       } else if (leaves.visit(counted(reference, counters), t_max)) {
@@ -116,19 +135,13 @@ class Walk {
     counters.primitive_tests += static_cast<std::uint32_t>(std::popcount(leaf.present));
     return leaf;
   }
-  /// The lowest of the slots, which is taken out.
-  static HWY_INLINE std::uint32_t taken_slot(std::uint32_t& slots) {
-    const auto slot = static_cast<std::uint32_t>(std::countr_zero(slots));
-    slots &= slots - 1;
-    return slot;
-  }
-
   /// Returns the nearest of the hit children and puts the others on the stack, nearer ones higher. Two and three are
   /// sorted without a branch, as their order cannot be guessed. The way from the mask to the next node is kept short:
   /// all else waits for it.
   HWY_INLINE Bvh8Reference nearest(const Bvh8Node& node, std::uint32_t hits, const std::array<float, 8>& entered,
                                    Entry*& top) const {
     if ((hits & (hits - 1)) == 0) return node.child[taken_slot(hits)];
+    const std::uint32_t all_hits = hits;
     const auto next_entry = [&] {
       const std::uint32_t slot = taken_slot(hits);
       return Entry(entered[slot], node.child[slot]);
@@ -140,23 +153,35 @@ class Walk {
       *top++ = a;
       return b.reference();
     }
-    Entry c = next_entry();
-    Entry::sort(b, c);
-    Entry::sort(a, b);
-    prefetch(b.reference());
-    Entry* const bottom = top;
-    top[0] = a;
-    top[1] = b;
-    top += 2;
-    while (hits != 0) {
-      Entry other = next_entry();
-      Entry::sort(other, c);
-      prefetch(other.reference());
-      Entry* place = top++;
-      for (; place > bottom && place[-1] < other; --place) place[0] = place[-1];
-      *place = other;
+    if ((hits & (hits - 1)) == 0) {
+      Entry c = next_entry();
+      Entry::sort(b, c);
+      Entry::sort(a, b);
+      prefetch(b.reference());
+      top[0] = a;
+      top[1] = b;
+      top += 2;
+      return c.reference();
     }
-    return c.reference();
+    return nearest_of_many(node, all_hits, entered, top);
+  }
+
+  /// Each goes to its place by how many are nearer, as where it belongs cannot be guessed either.
+  HWY_INLINE Bvh8Reference nearest_of_many(const Bvh8Node& node, std::uint32_t hits,
+                                           const std::array<float, 8>& entered, Entry*& top) const {
+    const Float8 near = told_apart(load8(entered.data()));
+    alignas(32) std::array<float, 8> keys;
+    store8(near, keys.data());
+    const auto count = static_cast<std::uint32_t>(std::popcount(hits));
+    for (std::uint32_t rest = hits; rest != 0;) {
+      const std::uint32_t slot = taken_slot(rest);
+      const auto not_farther = static_cast<std::uint32_t>(std::popcount(at_most(near, all8(keys[slot])) & hits));
+      const Bvh8Reference reference = node.child[slot];
+      prefetch(reference);
+      top[count - not_farther] = Entry(entered[slot], reference);
+    }
+    top += count - 1;
+    return top->reference();
   }
 
   /// Half a line per reference: of a leaf half a line too far, which is subtracted where it matters.
@@ -166,14 +191,13 @@ class Walk {
   static constexpr std::size_t kHalfLine = sizeof(CacheLine) / 2;
 
   HWY_INLINE void prefetch(Bvh8Reference reference) const {
-    __builtin_prefetch(at(reference));
-    __builtin_prefetch(at(reference) + sizeof(CacheLine));
+    for (std::size_t line = 0; line < sizeof(Bvh8Node) / sizeof(CacheLine); ++line)
+      __builtin_prefetch(at(reference) + line * sizeof(CacheLine));
   }
 
   const char* base_;
   const FilterRay& filter_;
   NodeTest node_test_;
-  Entry stack_[kMostAside];
 };
 
 }  // namespace HWY_NAMESPACE

@@ -26,8 +26,8 @@ long double dot(const Vec3& d, const Wide& p) { return d.x * p[0] + d.y * p[1] +
 
 /// The largest share of each bound that was needed.
 struct Needed {
-  double weight = 0, depth = 0, margin = 0;
-  int weights = 0, depths = 0;
+  double weight = 0, depth = 0, interval = 0, margin = 0;
+  int weights = 0, depths = 0, intervals = 0;
 };
 
 /// A triangle as the test of a leaf sees it, in the same operations, none of them fused; with its exact numbers in 64
@@ -43,11 +43,11 @@ void measure(const Ray& ray, const Ray& rounded, const RayError& ray_error, cons
   for (std::size_t i = 0; i < 3; ++i) {
     const Point3& p = corners[i];
     const auto from_origin = [&](std::size_t k) {
-      return static_cast<float>(p[static_cast<int>(filter.axis[k])]) - filter.origin[k];
+      return static_cast<float>(p[static_cast<int>(filter.axis[k])]) - filter.origin[filter.axis[k]];
     };
     z[i] = from_origin(2);
-    x[i] = from_origin(0) - filter.shear_x * z[i];
-    y[i] = from_origin(1) - filter.shear_y * z[i];
+    x[i] = from_origin(0) - filter.shear[filter.axis[0]] * z[i];
+    y[i] = from_origin(1) - filter.shear[filter.axis[1]] * z[i];
     sizes += std::fabs(x[i]) + std::fabs(y[i]);
     exact[i] = from_to(ray.origin, p);
   }
@@ -72,9 +72,15 @@ void measure(const Ray& ray, const Ray& rounded, const RayError& ray_error, cons
   const Wide normal = cross(from_to(corners[0], corners[1]), from_to(corners[0], corners[2]));
   const long double t = (a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2]) / dot(ray.direction, normal);
   const double rest = static_cast<double>(t - t_a);
-  const double depth_error = error * double{std::fabs(zb) + std::fabs(zc)} * filter.reciprocal_size_z +
-                             (area + 4.1 * error) * filter.depth_error + std::fabs(rest) * area_error;
-  needed.depth = std::max(needed.depth, std::fabs(rest * area - rise) / depth_error);
+  const double rise_error = error * double{std::fabs(zb) + std::fabs(zc)} * filter.reciprocal_size_z +
+                            (area + 4.1 * error) * filter.depth_error;
+  needed.depth = std::max(needed.depth, std::fabs(rest * area - rise) / (rise_error + std::fabs(rest) * area_error));
+  if (area >= 2 * area_error) {
+    ++needed.intervals;
+    const float beyond_a = rise * (1 / area), middle = t_a + beyond_a;
+    const double t_error = (std::fabs(beyond_a) * area_error + rise_error) * 2.001 / area;
+    needed.interval = std::max(needed.interval, static_cast<double>(std::fabs(t - middle)) / t_error);
+  }
   // Where it meets a side that it meets there, without margin.
   for (int axis = 0; axis < 3; ++axis) {
     const long double met = ray.origin[axis] + t * ray.direction[axis];
@@ -140,25 +146,28 @@ Needed measured(Rays rays, unsigned seed) {
 /// The shares that are needed at least, or the bounds would not be tested here.
 struct Expected {
   Rays rays;
-  double weight, depth, margin;
-  int weights, depths;
+  double weight, depth, interval, margin;
+  int weights, depths, intervals;
 };
 
 TEST(FilterRay, NoNumberIsOffByMoreThanItsBound) {
   int kinds = 0;
-  for (const auto& [rays, weight, depth, margin, weights, depths] :
-       {Expected{Rays::floats, 0.2, 0.1, 0.2, 600000, 190000},
-        {Rays::doubles, 0.2, 0.1, 0.2, 600000, 190000},
-        {Rays::inaccurate, 0.95, 0.5, 0.99, 470000, 90000}}) {
+  for (const auto& [rays, weight, depth, interval, margin, weights, depths, intervals] :
+       {Expected{Rays::floats, 0.2, 0.1, 0.05, 0.2, 600000, 190000, 190000},
+        {Rays::doubles, 0.2, 0.1, 0.05, 0.2, 600000, 190000, 190000},
+        {Rays::inaccurate, 0.95, 0.5, 0.2, 0.99, 470000, 90000, 80000}}) {
     const Needed needed = measured(rays, 81);
     EXPECT_LE(needed.weight, 1) << kinds;
     EXPECT_LE(needed.depth, 1) << kinds;
+    EXPECT_LE(needed.interval, 1) << kinds;
     EXPECT_LE(needed.margin, 1) << kinds;
     EXPECT_GT(needed.weight, weight) << kinds;
     EXPECT_GT(needed.depth, depth) << kinds;
+    EXPECT_GT(needed.interval, interval) << kinds;
     EXPECT_GT(needed.margin, margin) << kinds;
     EXPECT_GE(needed.weights, weights) << kinds;
     EXPECT_GE(needed.depths, depths) << kinds;
+    EXPECT_GE(needed.intervals, intervals) << kinds;
     ++kinds;
   }
   EXPECT_EQ(kinds, 3);

@@ -8,16 +8,11 @@
 namespace plumb {
 namespace {
 
-constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr double kLargestDouble = std::numeric_limits<double>::max();
 constexpr double kU = 0x1p-24;  // the largest relative rounding of a float
 /// Rays from farther away than 4 reaches are moved near first, to about one, or are not filtered: no vertex is farther
 /// than this from an origin, on an axis, in reaches.
 constexpr double kFarthest = 5.001;
-
-/// The longest axis, by which of |x| > |y|, |x| > |z|, |y| > |z| hold, as bits from the lowest; and the two after it.
-constexpr std::array<std::array<std::uint8_t, 4>, 3> kAxes{{{1, 2, 0, 0}, {2, 0, 1, 0}, {0, 1, 2, 0}}};
-constexpr std::array<std::uint8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 1, 0};
 
 template <class Triple>
 double largest(const Triple& v) {
@@ -60,20 +55,6 @@ bool move_near(FrameRay& ray, const FilterFrame& frame, double& moved) {
   return true;
 }
 
-}  // namespace
-
-namespace {
-
-using Bits = std::int32_t __attribute__((vector_size(16)));
-constexpr Bits kSign{INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
-
-BoxSide all(float value) { return BoxSide{value, value, value, value}; }
-BoxSide size_of(BoxSide v) { return std::bit_cast<BoxSide>(std::bit_cast<Bits>(v) & ~kSign); }
-BoxSide with_signs(BoxSide size, BoxSide of) {
-  return std::bit_cast<BoxSide>(std::bit_cast<Bits>(size) | (std::bit_cast<Bits>(of) & kSign));
-}
-float largest(BoxSide v) { return std::max(v[0], std::max(v[1], v[2])); }
-
 /// The bounds of the filters, in the frame: `offset` is how far the float origin and the float vertices may be off,
 /// `slant` how far the direction, in units of its largest coordinate.
 void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, double slant, float& margin,
@@ -91,73 +72,41 @@ void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, doub
   distance_error = static_cast<float>(3 * moved + 24 * kU * reach + 3.2 * slant * reach);
 }
 
-/// Whether a double is a float, but for its exponent.
-std::uint64_t digits_past_float(double value) { return std::bit_cast<std::uint64_t>(value) & 0x1fffffff; }
-
-struct FloatLine {
-  BoxSide origin, direction;
-};
-
-[[gnu::always_inline]] inline FloatLine in_floats(const Point3& o, const Vec3& d) {
-  return {BoxSide{static_cast<float>(o.x), static_cast<float>(o.y), static_cast<float>(o.z), 0},
-          BoxSide{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), 0}};
-}
-
-/// Everything but the range, of a ray that is near the mesh and of moderate length. `along` is the direction's largest
-/// coordinate.
-[[gnu::always_inline]] inline void set_lines(FilterRay& filter, const FloatLine& line, float along, float margin,
-                                             float distance_error) {
-  const auto& [o, d] = line;
-  const BoxSide sizes = size_of(d);
-  const BoxSide wider = with_signs(all(margin), d);
-  filter.reciprocal = 1 / with_signs(higher_of(sizes, all(0x1p-36F * along)), d);
-  filter.near_origin = o + wider;
-  filter.far_origin = o - wider;
-  filter.near_row = std::bit_cast<Bits>(d) >> 31 & 1;
-  const std::size_t longest =
-      kLongest[static_cast<std::size_t>(sizes[0] > sizes[1]) | static_cast<std::size_t>(sizes[0] > sizes[2]) << 1 |
-               static_cast<std::size_t>(sizes[1] > sizes[2]) << 2];
-  const auto [kx, ky, kz, unused] = kAxes[longest];
-  filter.axis = {kx, ky, kz};
-  filter.origin = {o[kx], o[ky], o[kz]};
-  filter.shear_x = d[kx] * filter.reciprocal[kz];
-  filter.shear_y = d[ky] * filter.reciprocal[kz];
-  filter.reciprocal_z = filter.reciprocal[kz];
-  const float reciprocal_size = std::fabs(filter.reciprocal_z);
-  filter.reciprocal_size_z = reciprocal_size * (1 + 0x1p-20F);
-  filter.depth_error = reciprocal_size * distance_error;
-}
-
-/// The same of a ray in doubles, with the errors of rounding it and those that it has already. False where these are so
-/// large that the bounds' derivation does not hold.
-[[gnu::noinline]] bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
-  const FloatLine line = in_floats(ray.origin, ray.direction);
+/// Of a ray in doubles, with the errors of rounding it and those that it has already.
+bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
+  const Point3& o = ray.origin;
+  const Vec3& d = ray.direction;
+  const filter_ray::FloatLine line{
+      BoxSide{static_cast<float>(o.x), static_cast<float>(o.y), static_cast<float>(o.z), 0},
+      BoxSide{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), 0}};
   const auto off = [](const auto& exact, BoxSide rounded) {
     return std::max(std::fabs(exact.x - static_cast<double>(rounded[0])),
                     std::max(std::fabs(exact.y - static_cast<double>(rounded[1])),
                              std::fabs(exact.z - static_cast<double>(rounded[2]))));
   };
-  const float along = largest(size_of(line.direction));
+  const float along = filter_ray::largest(filter_ray::size_of(line.direction))[0];
   const double offset = ray.error.origin + off(ray.origin, line.origin),
                slant = ray.error.direction + off(ray.direction, line.direction);
   if (!(offset <= frame.reach && slant <= 0x1p-12 * static_cast<double>(along))) return false;
   float margin = 0, distance_error = 0;
   set_errors(filter, frame, offset, slant / static_cast<double>(along), margin, distance_error);
-  set_lines(filter, line, along, margin, distance_error);
+  filter_ray::set_lines(filter, line, margin, distance_error);
   return true;
 }
 
-[[gnu::noinline]] bool set_rounded_lines(FilterRay& filter, const Point3& origin, const Vec3& direction,
-                                         const RayError& error, const FilterFrame& frame) {
+}  // namespace
+
+namespace filter_ray {
+
+bool set_rounded_lines(FilterRay& filter, const Point3& origin, const Vec3& direction, const RayError& error,
+                       const FilterFrame& frame) {
   FrameRay ray{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
-  if (frame.center != Point3{}) ray.error.origin += 0x1p-53 * largest(origin);
+  if (frame.center != Point3{}) ray.error.origin += 0x1p-53 * plumb::largest(origin);
   return set_lines(filter, ray, frame);
 }
 
-/// A ray of any size, or from far away.
-[[gnu::noinline]] FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame,
-                                                 FilterRay& filter) {
-  const double length = largest(ray.direction), distance = largest(ray.origin);
+FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
+  const double length = plumb::largest(ray.direction), distance = plumb::largest(ray.origin);
   const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
   if (!(ray.t_min <= ray.t_max)) return FilterRay::Fate::misses;
   // NaN fails every comparison, or makes the sum one. A ray that was taken to another frame may have lost its direction
@@ -168,8 +117,8 @@ struct FloatLine {
   const double shorten = std::scalbn(1.0, -std::ilogb(length));
   FrameRay moved{
       frame(ray.origin), shorten * ray.direction, {error.origin * frame.factor, error.direction * shorten}, 0, 0};
-  if (!(largest(moved.origin) <= 0x1p60)) return FilterRay::Fate::unfiltered;
-  if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * largest(moved.origin);
+  if (!(plumb::largest(moved.origin) <= 0x1p60)) return FilterRay::Fate::unfiltered;
+  if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * plumb::largest(moved.origin);
   filter.t_factor = frame.factor / shorten;
   moved.t_min = ray.t_min * filter.t_factor;
   moved.t_max = ray.t_max * filter.t_factor;
@@ -177,16 +126,18 @@ struct FloatLine {
   if (!(moved.error.direction <= 0x1p-12 && moved.error.origin <= frame.reach)) return FilterRay::Fate::unfiltered;
   if (!move_near(moved, frame, start)) return FilterRay::Fate::misses;
   // What is off by much is not moved near enough.
-  if (!(largest(moved.origin) <= 4 * frame.reach)) return FilterRay::Fate::unfiltered;
+  if (!(plumb::largest(moved.origin) <= 4 * frame.reach)) return FilterRay::Fate::unfiltered;
   filter.t_start = start / filter.t_factor;
   if (!set_lines(filter, moved, frame)) return FilterRay::Fate::unfiltered;
   const double rounding = 0x1p-50 * std::fabs(start);
   filter.t_min = wide_start(std::max(0.0, moved.t_min - rounding));
   filter.t_max = wide_end(moved.t_max + rounding);
+  filter.surely_from = std::numeric_limits<float>::infinity();
+  filter.surely_to = 0;
   return FilterRay::Fate::walk;
 }
 
-}  // namespace
+}  // namespace filter_ray
 
 void set_filter_errors(FilterFrame& frame) {
   frame.near = static_cast<float>(3.99 * frame.reach);
@@ -195,37 +146,6 @@ void set_filter_errors(FilterFrame& frame) {
   set_errors(none, frame, 0, 0, frame.margin, frame.distance_error);
   frame.weight_error = none.weight_error;
   frame.weight_error_constant = none.weight_error_constant;
-}
-
-FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
-  // By reference: a copy would load pairs of numbers that were stored one by one just before, which processors are slow
-  // at.
-  Point3 in_frame;
-  const Point3& origin = frame.is_identity ? ray.origin : (in_frame = frame(ray.origin));
-  if (!frame.is_usable) return FilterRay::Fate::unfiltered;
-  const Vec3& direction = ray.direction;
-  const FloatLine line = in_floats(origin, direction);
-  const float along = largest(size_of(line.direction));
-  const BoxSide sum = line.origin + line.direction;  // NaN or infinite where one of them is
-  // What is false of NaN comes first.
-  if (!(along > 0x1p-30F && along < 0x1p30F && largest(size_of(line.origin)) <= frame.near &&
-        std::fabs(sum[0] + sum[1] + sum[2]) < kLargest && ray.t_min >= 0 && ray.t_min <= ray.t_max))
-    return make_from_afar(ray, error, frame, filter);
-  filter.t_factor = frame.factor;
-  filter.t_start = 0;
-  filter.t_min = wide_start(ray.t_min * frame.factor);
-  filter.t_max = wide_end(ray.t_max * frame.factor);
-  const std::uint64_t digits = digits_past_float(origin.x) | digits_past_float(origin.y) | digits_past_float(origin.z) |
-                               digits_past_float(direction.x) | digits_past_float(direction.y) |
-                               digits_past_float(direction.z);
-  if (digits == 0 && error.origin + error.direction == 0 && frame.is_identity) {
-    filter.weight_error = frame.weight_error;
-    filter.weight_error_constant = frame.weight_error_constant;
-    set_lines(filter, line, along, frame.margin, frame.distance_error);
-    return FilterRay::Fate::walk;
-  }
-  return set_rounded_lines(filter, origin, direction, error, frame) ? FilterRay::Fate::walk
-                                                                    : FilterRay::Fate::unfiltered;
 }
 
 }  // namespace plumb

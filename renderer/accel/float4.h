@@ -10,6 +10,19 @@ using BoxSide = float __attribute__((vector_size(16)));
 inline BoxSide lower_of(BoxSide a, BoxSide b) { return a < b ? a : b; }
 inline BoxSide higher_of(BoxSide a, BoxSide b) { return a > b ? a : b; }
 
+/// What comparing two of them gives: all ones or zero.
+using LaneMask = std::int32_t __attribute__((vector_size(16)));
+
+/// The signs of the lanes, the first in the lowest bit.
+[[gnu::always_inline]] inline std::uint32_t sign_bits(LaneMask lanes) {
+#ifdef __SSE__
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskps(reinterpret_cast<BoxSide>(lanes)));
+#else
+  const auto bit = [&](int i) { return static_cast<std::uint32_t>(lanes[i]) >> 31 << i; };
+  return bit(0) | bit(1) | bit(2) | bit(3);
+#endif
+}
+
 /// A box in floats.
 struct FloatBox {
   static constexpr float kFar = 3e38F;

@@ -40,6 +40,9 @@ struct Float4 {
     return each([&](std::size_t i) { return p.v[i] * q.v[i]; });
   }
 };
+HWY_INLINE Float4 operator/(Float4 p, Float4 q) {
+  return Float4::each([&](std::size_t i) { return p.v[i] / q.v[i]; });
+}
 HWY_INLINE Float4 load4(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
 HWY_INLINE Float4 all4(float value) { return {{value, value, value, value}}; }
 HWY_INLINE void store4(Float4 p, float* to) {
@@ -98,11 +101,17 @@ HWY_INLINE std::uint32_t at_most(Float8 a, Float8 b) {
 HWY_INLINE Float8 product_plus(Float8 a, Float8 b, Float8 c) { return hn::MulAdd(a, b, c); }
 HWY_INLINE Float8 product_less(Float8 a, Float8 b, Float8 c) { return hn::MulSub(a, b, c); }
 HWY_INLINE Float8 less_product(Float8 c, Float8 a, Float8 b) { return hn::NegMulAdd(a, b, c); }
+HWY_INLINE Float8 quotient(Float8 a, Float8 b) { return a / b; }
 HWY_INLINE Float8 low(Float8 a, Float8 b) { return hn::Min(a, b); }
 HWY_INLINE Float8 high(Float8 a, Float8 b) { return hn::Max(a, b); }
 HWY_INLINE Float8 size_of(Float8 a) { return hn::Abs(a); }
 HWY_INLINE Float8 negative(Float8 a) { return hn::Neg(a); }
 HWY_INLINE Float8 negated_like(Float8 a, Float8 of) { return hn::Xor(a, hn::AndNot(hn::Abs(of), of)); }
+/// No two lanes are equal: their numbers take the place of the last three bits, of numbers >= 0.
+HWY_INLINE Float8 told_apart(Float8 a) {
+  const hn::FixedTag<std::uint32_t, 8> words;
+  return hn::BitCast(Eight(), hn::Or(hn::AndNot(hn::Set(words, 7U), hn::BitCast(words, a)), hn::Iota(words, 0U)));
+}
 
 #else  // in two
 
@@ -149,10 +158,17 @@ HWY_INLINE std::uint32_t at_most(Float8 p, Float8 q) { return at_most4(p.a, q.a)
 HWY_INLINE Float8 product_plus(Float8 p, Float8 q, Float8 r) { return p * q + r; }
 HWY_INLINE Float8 product_less(Float8 p, Float8 q, Float8 r) { return p * q - r; }
 HWY_INLINE Float8 less_product(Float8 r, Float8 p, Float8 q) { return r - p * q; }
+HWY_INLINE Float8 quotient(Float8 p, Float8 q) { return {p.a / q.a, p.b / q.b}; }
 HWY_INLINE Float8 low(Float8 p, Float8 q) { return {low4(p.a, q.a), low4(p.b, q.b)}; }
 HWY_INLINE Float8 high(Float8 p, Float8 q) { return {high4(p.a, q.a), high4(p.b, q.b)}; }
 HWY_INLINE Float8 size_of(Float8 p) { return {size4(p.a), size4(p.b)}; }
 HWY_INLINE Float8 negative(Float8 p) { return {negative4(p.a), negative4(p.b)}; }
+HWY_INLINE Float8 told_apart(Float8 p) {
+  std::array<float, 8> v;
+  store8(p, v.data());
+  for (std::uint32_t i = 0; i < 8; ++i) v[i] = std::bit_cast<float>((std::bit_cast<std::uint32_t>(v[i]) & ~7U) | i);
+  return load8(v.data());
+}
 /// p, or -p where `of` is negative.
 HWY_INLINE Float8 negated_like(Float8 p, Float8 of) { return {negated_like4(p.a, of.a), negated_like4(p.b, of.b)}; }
 

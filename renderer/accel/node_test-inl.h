@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 class NodeTest {
  public:
   HWY_INLINE explicit NodeTest(const FilterRay& ray)
-      : x_(ray, 0), y_(ray, 1), z_(ray, 2), t_min_(all8(ray.t_min)), t_max_(all8(ray.t_max)) {}
+      : NodeTest(ray, ray.near_origin * ray.reciprocal, ray.far_origin * ray.reciprocal) {}
 
   HWY_INLINE void set_t_max(float t_max) { t_max_ = all8(t_max); }
 
@@ -30,9 +30,17 @@ class NodeTest {
   }
 
  private:
+  HWY_INLINE NodeTest(const FilterRay& ray, BoxSide near, BoxSide far)
+      : ray_(ray),
+        x_{all8(ray.reciprocal[0]), all8(near[0]), all8(far[0])},
+        y_{all8(ray.reciprocal[1]), all8(near[1]), all8(far[1])},
+        z_{all8(ray.reciprocal[2]), all8(near[2]), all8(far[2])},
+        t_min_(all8(ray.t_min)),
+        t_max_(all8(ray.t_max)) {}
+
   template <class Entered>
   HWY_INLINE std::uint32_t test(const Bvh8Node& node, const Entered& entered) const {
-    const Sides x = x_.sides(node, 0), y = y_.sides(node, 1), z = z_.sides(node, 2);
+    const Sides x = sides(node, x_, 0), y = sides(node, y_, 1), z = sides(node, z_, 2);
     const Float8 near = high(high(x.near, y.near), high(z.near, t_min_));
     const Float8 far = low(low(x.far, y.far), low(z.far, t_max_));
     entered(near);
@@ -42,27 +50,19 @@ class NodeTest {
   struct Sides {
     Float8 near, far;
   };
-
-  class Axis {
-   public:
-    HWY_INLINE Axis(const FilterRay& ray, int axis)
-        : reciprocal_(all8(ray.reciprocal[axis])),
-          near_origin_(all8(ray.near_origin[axis] * ray.reciprocal[axis])),
-          far_origin_(all8(ray.far_origin[axis] * ray.reciprocal[axis])),
-          near_(8 * static_cast<std::size_t>(ray.near_row[axis])),
-          far_(8 - near_) {}
-    HWY_INLINE Sides sides(const Bvh8Node& node, std::size_t axis) const {
-      const float* const rows = node.sides[axis][0].data();
-      return {product_less(load8(rows + near_), reciprocal_, near_origin_),
-              product_less(load8(rows + far_), reciprocal_, far_origin_)};
-    }
-
-   private:
-    Float8 reciprocal_, near_origin_, far_origin_;
-    /// Where the near and the far sides begin in those of an axis.
-    std::size_t near_, far_;
+  struct Axis {
+    Float8 reciprocal, near_origin, far_origin;
   };
+  HWY_INLINE Sides sides(const Bvh8Node& node, const Axis& axis, int i) const {
+    const auto* const rows = reinterpret_cast<const std::byte*>(&node.sides[static_cast<std::size_t>(i)]);
+    const auto row = [&](std::int32_t offset) {
+      return load8(reinterpret_cast<const float*>(rows + static_cast<std::uint32_t>(offset)));
+    };
+    return {product_less(row(ray_.near_offset[i]), axis.reciprocal, axis.near_origin),
+            product_less(row(ray_.far_offset[i]), axis.reciprocal, axis.far_origin)};
+  }
 
+  const FilterRay& ray_;
   Axis x_, y_, z_;
   Float8 t_min_, t_max_;
 };

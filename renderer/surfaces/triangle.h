@@ -30,6 +30,15 @@ double largest_coordinate(const Triple& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
+/// The axis along which a direction is longest. Which that is cannot be guessed, so there is no branch.
+inline int longest_axis(const Vec3& d) {
+  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  // By which of x > y, x > z and y > z hold, as bits from the lowest.
+  constexpr std::array<std::int8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 1, 0};
+  return kLongest[static_cast<std::size_t>(x > y) | static_cast<std::size_t>(x > z) << 1 |
+                  static_cast<std::size_t>(y > z) << 2];
+}
+
 /// A ray with the shear that takes its direction to an axis: what does not depend on the triangle. It refers to the
 /// ray, whose range may shrink meanwhile where it is in world space.
 struct ShearedRay {
@@ -72,16 +81,10 @@ inline ShearedRay::ShearedRay(const PlacedRay& placed)
 
 inline void ShearedRay::find_axes() {
   const Vec3& d = ray.direction;
-  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-  // By which of x > y, x > z and y > z hold, as bits from the lowest: which is the largest cannot be guessed.
-  constexpr std::array<std::int8_t, 8> kLongest{2, 2, 2, 0, 1, 1, 1, 0};
+  kz = longest_axis(d);
   constexpr std::array<std::int8_t, 5> kCircle{0, 1, 2, 0, 1};
-  const auto longest =
-      static_cast<std::size_t>(kLongest[static_cast<std::size_t>(x > y) | static_cast<std::size_t>(x > z) << 1 |
-                                        static_cast<std::size_t>(y > z) << 2]);
-  kx = kCircle[longest + 1];
-  ky = kCircle[longest + 2];
-  kz = kCircle[longest];
+  kx = kCircle[static_cast<std::size_t>(kz) + 1];
+  ky = kCircle[static_cast<std::size_t>(kz) + 2];
   const double along = coordinate(d, kz);
   shear_x = coordinate(d, kx) / along;
   shear_y = coordinate(d, ky) / along;

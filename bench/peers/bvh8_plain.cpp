@@ -50,17 +50,17 @@ class PlainLeaves {
   bench::Found found_;
 };
 
-bench::Found plain_closest(const Bvh8Tree& tree, const Ray& ray, const FilterRay& filter) {
+bench::Found plain_closest(const Bvh8Tree& tree, const Ray& ray, const FilterRay& filter, const BoxRay& boxes) {
   TraceCounters counters;
   PlainLeaves<false> leaves(tree, filter, ray);
-  Walk(tree, filter).to_nearest(leaves, counters);
+  Walk(tree, filter, boxes).to_nearest(leaves, counters);
   return leaves.found();
 }
 
-bool plain_any(const Bvh8Tree& tree, const Ray& ray, const FilterRay& filter) {
+bool plain_any(const Bvh8Tree& tree, const Ray& ray, const FilterRay& filter, const BoxRay& boxes) {
   TraceCounters counters;
   PlainLeaves<true> leaves(tree, filter, ray);
-  return Walk(tree, filter).to_any(leaves, counters);
+  return Walk(tree, filter, boxes).to_any(leaves, counters);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -77,14 +77,16 @@ namespace bench {
 
 Found plain_closest(const Bvh8Tree& tree, const Ray& ray) {
   FilterRay filter;
-  if (make_filter_ray(ray, {}, tree.frame, filter) != FilterRay::Fate::walk) return {};
-  return HWY_DYNAMIC_DISPATCH(plumb::plain_closest)(tree, ray, filter);
+  BoxRay boxes;
+  if (make_filter_ray(PlacedRay(ray), tree.frame, filter, boxes) != FilterRay::Fate::walk) return {};
+  return HWY_DYNAMIC_DISPATCH(plumb::plain_closest)(tree, ray, filter, boxes);
 }
 
 bool plain_any(const Bvh8Tree& tree, const Ray& ray) {
   FilterRay filter;
-  if (make_filter_ray(ray, {}, tree.frame, filter) != FilterRay::Fate::walk) return false;
-  return HWY_DYNAMIC_DISPATCH(plumb::plain_any)(tree, ray, filter);
+  BoxRay boxes;
+  if (make_filter_ray(PlacedRay(ray), tree.frame, filter, boxes) != FilterRay::Fate::walk) return false;
+  return HWY_DYNAMIC_DISPATCH(plumb::plain_any)(tree, ray, filter, boxes);
 }
 
 }  // namespace bench

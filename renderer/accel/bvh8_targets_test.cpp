@@ -50,11 +50,11 @@ TEST(Bvh8, EveryInstructionSetFindsTheSameHits) {
     std::vector<Ray> rays = aimed_rays(mesh, u, 4000, bounds.center(), largest_coordinate(bounds.max - bounds.min));
     for (std::size_t i = 0; i < rays.size(); i += 7) rays[i].direction[static_cast<int>(i % 3)] = u.sign() * 0.0;
     const std::vector<PlacedRay> asked = placed(rays);
-    const Bvh8 bvh8(std::make_shared<const TriangleMesh>(mesh));
-    const std::vector<Answer> expected = answers(bvh8, asked);
+    const auto shared = std::make_shared<const TriangleMesh>(mesh);
+    const std::vector<Answer> expected = answers(Bvh8(shared), asked);
     for (const std::int64_t target : targets) {
       hwy::GetChosenTarget().Update(target);
-      const std::vector<Answer> found = answers(bvh8, asked);
+      const std::vector<Answer> found = answers(Bvh8(shared), asked);
       hwy::GetChosenTarget().DeInit();
       for (std::size_t i = 0; i < found.size(); ++i, ++compared) {
         hits += found[i].hit.has_value();

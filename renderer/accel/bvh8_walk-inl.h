@@ -46,9 +46,9 @@ class Entry {
   friend HWY_INLINE bool operator<(Entry p, Entry q) { return p.bits_ < q.bits_; }
   /// The farther one first. Nobody can guess which that is, so it is not a branch.
   static HWY_INLINE void sort(Entry& p, Entry& q) {
-    const std::uint64_t swapped = (p.bits_ ^ q.bits_) & (0 - static_cast<std::uint64_t>(p.bits_ < q.bits_));
-    p.bits_ ^= swapped;
-    q.bits_ ^= swapped;
+    const std::uint64_t nearer = p.bits_ < q.bits_ ? p.bits_ : q.bits_, farther = p.bits_ < q.bits_ ? q.bits_ : p.bits_;
+    p.bits_ = farther;
+    q.bits_ = nearer;
   }
 
  private:
@@ -60,13 +60,13 @@ class Entry {
 /// For the nearest it may lower t_max, in the filter's frame; for any it returns true to end the walk.
 class Walk {
  public:
-  HWY_INLINE Walk(const Bvh8Tree& tree, const FilterRay& filter)
-      : base_(reinterpret_cast<const char*>(tree.lines.data())), filter_(filter), node_test_(filter) {}
+  HWY_INLINE Walk(const Bvh8Tree& tree, const FilterRay& filter, const BoxRay& boxes)
+      : base_(reinterpret_cast<const char*>(tree.lines.data())), filter_(filter), node_test_(filter, boxes) {}
 
   /// Roughly near to far.
   template <class Leaves>
   HWY_INLINE void to_nearest(Leaves& leaves, TraceCounters& counters) {
-    float t_max = filter_.t_max;
+    float t_max = filter_.range.t_max;
     Entry stack[kMostAside];  // not a member: all others may then be kept in registers
     Entry* top = stack;
     Bvh8Reference reference = 0;
@@ -98,7 +98,7 @@ class Walk {
   /// they meet first without being blocked. A node's children lie from low to high, as the builder split them.
   template <class Leaves>
   HWY_INLINE bool to_any(Leaves& leaves, TraceCounters& counters) {
-    float t_max = filter_.t_max;
+    float t_max = filter_.range.t_max;
     const bool forward = filter_.reciprocal_z > 0;
     Bvh8Reference stack[kMostAside];
     Bvh8Reference* top = stack;

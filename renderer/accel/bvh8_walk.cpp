@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3  // SSE4 and the scalar baseline are enough below AVX2
@@ -25,21 +26,23 @@ HWY_BEFORE_NAMESPACE();
 namespace plumb {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter) {
-  const FilterRay::Fate fate =
-      make_filter_ray(ray.object(), {ray.origin_error, ray.direction_error}, searched.tree.frame, filter);
+HWY_INLINE FilterRay::Fate prepare(const SearchedMesh& searched, const PlacedRay& ray, FilterRay& filter,
+                                   BoxRay& boxes) {
+  const FilterRay::Fate fate = make_filter_ray(ray, searched.tree.frame, filter, boxes);
   if (fate != FilterRay::Fate::walk) return fate;
   if (searched.tree.lines.size() == 0) return FilterRay::Fate::misses;
-  if (ray.nearest < ray.object().t_max) filter.t_max = std::min(filter.t_max, filter.frame_t_max(ray.nearest));
+  if (ray.nearest < std::numeric_limits<double>::infinity())
+    filter.range.t_max = std::min(filter.range.t_max, filter.frame_t_max(ray.nearest));
   return fate;
 }
 
 std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  const FilterRay::Fate fate = prepare(searched, ray, filter);
+  BoxRay boxes;
+  const FilterRay::Fate fate = prepare(searched, ray, filter, boxes);
   if (fate == FilterRay::Fate::walk) {
     FilteredLeaves<false> leaves(searched, ray, filter);
-    Walk(searched.tree, filter).to_nearest(leaves, counters);
+    Walk(searched.tree, filter, boxes).to_nearest(leaves, counters);
     return leaves.result();
   }
   return fate == FilterRay::Fate::misses ? std::nullopt : closest_of_all(searched, ray, counters);
@@ -47,10 +50,11 @@ std::optional<SurfaceHit> closest(const SearchedMesh& searched, const PlacedRay&
 
 bool any(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
   FilterRay filter;
-  const FilterRay::Fate fate = prepare(searched, ray, filter);
+  BoxRay boxes;
+  const FilterRay::Fate fate = prepare(searched, ray, filter, boxes);
   if (fate == FilterRay::Fate::walk) {
     FilteredLeaves<true> leaves(searched, ray, filter);
-    return Walk(searched.tree, filter).to_any(leaves, counters);
+    return Walk(searched.tree, filter, boxes).to_any(leaves, counters);
   }
   return fate == FilterRay::Fate::unfiltered && any_of_all(searched, ray, counters);
 }
@@ -66,16 +70,16 @@ HWY_EXPORT(closest);
 HWY_EXPORT(any);
 
 std::optional<SurfaceHit> closest_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
-  ClosestTriangle closest(ray, searched.mesh, searched.largest_coordinate);
-  const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
+  ClosestTriangle closest(ray, *searched.mesh, searched.largest_coordinate);
+  const auto count = static_cast<std::uint32_t>(searched.mesh->triangles.size());
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) closest.offer(triangle);
   counters.primitive_tests += count;
   return closest.result();
 }
 
 bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
-  const ClosestTriangle triangles(ray, searched.mesh, searched.largest_coordinate);
-  const auto count = static_cast<std::uint32_t>(searched.mesh.triangles.size());
+  const ClosestTriangle triangles(ray, *searched.mesh, searched.largest_coordinate);
+  const auto count = static_cast<std::uint32_t>(searched.mesh->triangles.size());
   for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
     ++counters.primitive_tests;
     if (triangles.meets(triangle)) return true;
@@ -83,12 +87,12 @@ bool any_of_all(const SearchedMesh& searched, const PlacedRay& ray, TraceCounter
   return false;
 }
 
-std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
-  return HWY_DYNAMIC_DISPATCH(closest)(searched, ray, counters);
-}
-
-bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters) {
-  return HWY_DYNAMIC_DISPATCH(any)(searched, ray, counters);
+Bvh8Walks bvh8_walks() {
+#ifndef HWY_COMPILE_ONLY_STATIC
+  hwy::ChosenTarget& target = hwy::GetChosenTarget();
+  if (!target.IsInitialized()) target.Update(hwy::SupportedTargets());
+#endif
+  return {&HWY_DYNAMIC_DISPATCH(closest), &HWY_DYNAMIC_DISPATCH(any)};
 }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "renderer/accel/bvh8_layout.h"
@@ -11,15 +12,21 @@ namespace plumb {
 
 /// A tree and what it was built from.
 struct SearchedMesh {
-  const Bvh8Tree& tree;
-  const TriangleMesh& mesh;
+  std::shared_ptr<const TriangleMesh> mesh;
+  Bvh8Tree tree;
   /// As in ClosestTriangle.
-  double largest_coordinate;
+  double largest_coordinate = 0;
+  /// Of the weights, as there, by a ray without errors whose origin is near the tree, in doubles.
+  double near_weight_error = 0;
 };
 
-/// As Bvh8::closest and any. Compiled for several instruction sets, of which the best is taken; all visit the same
-/// nodes and give the same hits.
-std::optional<SurfaceHit> closest_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters);
-bool any_in_bvh8(const SearchedMesh& searched, const PlacedRay& ray, TraceCounters& counters);
+/// Bvh8::closest and any, for one instruction set; all visit the same nodes and give the same hits.
+struct Bvh8Walks {
+  std::optional<SurfaceHit> (*closest)(const SearchedMesh&, const PlacedRay&, TraceCounters&);
+  bool (*any)(const SearchedMesh&, const PlacedRay&, TraceCounters&);
+};
+
+/// Those of the best instruction set that Highway's chosen target allows.
+Bvh8Walks bvh8_walks();
 
 }  // namespace plumb

@@ -31,11 +31,12 @@ struct Needed {
 };
 
 /// A triangle as the test of a leaf sees it, in the same operations, none of them fused; with its exact numbers in 64
-/// bits, 2^40 times as close. The filter is given `rounded`, which is within `ray_error` of the ray.
-void measure(const Ray& ray, const Ray& rounded, const RayError& ray_error, const FilterFrame& frame,
-             const std::array<Point3, 3>& corners, Needed& needed) {
+/// bits, 2^40 times as close. The filter is given `rounded`, which is within its errors of the ray.
+void measure(const Ray& ray, const PlacedRay& rounded, const FilterFrame& frame, const std::array<Point3, 3>& corners,
+             Needed& needed) {
   FilterRay filter;
-  ASSERT_EQ(make_filter_ray(rounded, ray_error, frame, filter), FilterRay::Fate::walk);
+  BoxRay boxes;
+  ASSERT_EQ(make_filter_ray(rounded, frame, filter, boxes), FilterRay::Fate::walk);
   const auto kz = static_cast<int>(filter.axis[2]);
   std::array<float, 3> x, y, z;
   std::array<Wide, 3> exact;
@@ -84,10 +85,10 @@ void measure(const Ray& ray, const Ray& rounded, const RayError& ray_error, cons
   // Where it meets a side that it meets there, without margin.
   for (int axis = 0; axis < 3; ++axis) {
     const long double met = ray.origin[axis] + t * ray.direction[axis];
-    const float reciprocal = filter.reciprocal[axis], plane = static_cast<float>(met);
-    const float origin = 0.5F * (filter.near_origin[axis] + filter.far_origin[axis]);
+    const float reciprocal = boxes.reciprocal[axis], plane = static_cast<float>(met);
+    const float origin = 0.5F * (boxes.near_origin[axis] + boxes.far_origin[axis]);
     const long double way = (plane * reciprocal - origin * reciprocal - t) / reciprocal - (plane - met);
-    const double margin = 0.5 * std::fabs(double{filter.near_origin[axis]} - double{filter.far_origin[axis]});
+    const double margin = 0.5 * std::fabs(double{boxes.near_origin[axis]} - double{boxes.far_origin[axis]});
     needed.margin = std::max(needed.margin, static_cast<double>(std::fabs(way)) / margin);
   }
 }
@@ -127,18 +128,19 @@ Needed measured(Rays rays, unsigned seed) {
     if (!(largest_coordinate(way) > 0x1p-20)) continue;
     const Ray ray{from, way};
     if (rays != Rays::inaccurate) {
-      measure(ray, ray, {}, frame, {a, near_a, third}, needed);
+      measure(ray, PlacedRay(ray), frame, {a, near_a, third}, needed);
       continue;
     }
     const double along = largest_coordinate(way);
-    const RayError error{std::ldexp(0.99, -static_cast<int>(u.below(30))),
-                         std::ldexp(0.99 * along, -12 - static_cast<int>(u.below(16)))};
     Ray rounded = ray;
+    PlacedRay placed(rounded);
+    placed.origin_error = std::ldexp(0.99, -static_cast<int>(u.below(30)));
+    placed.direction_error = std::ldexp(0.99 * along, -12 - static_cast<int>(u.below(16)));
     for (int axis = 0; axis < 3; ++axis) {
-      rounded.origin[axis] += u.sign() * error.origin;
-      rounded.direction[axis] += u.sign() * error.direction;
+      rounded.origin[axis] += u.sign() * placed.origin_error;
+      rounded.direction[axis] += u.sign() * placed.direction_error;
     }
-    if (largest_coordinate(rounded.origin) < 3.98) measure(ray, rounded, error, frame, {a, near_a, third}, needed);
+    if (largest_coordinate(rounded.origin) < 3.98) measure(ray, placed, frame, {a, near_a, third}, needed);
   }
   return needed;
 }

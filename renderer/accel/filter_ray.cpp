@@ -19,6 +19,11 @@ double largest(const Triple& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
+/// How far the numbers of a ray may be from those that it stands for, on each axis.
+struct RayError {
+  double origin = 0, direction = 0;
+};
+
 /// A ray in the frame, in doubles, and the most that any of its coordinates is off.
 struct FrameRay {
   Point3 origin;
@@ -73,7 +78,7 @@ void set_errors(FilterRay& filter, const FilterFrame& frame, double offset, doub
 }
 
 /// Of a ray in doubles, with the errors of rounding it and those that it has already.
-bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame) {
+bool set_lines(FilterRay& filter, BoxRay& boxes, const FrameRay& ray, const FilterFrame& frame) {
   const Point3& o = ray.origin;
   const Vec3& d = ray.direction;
   const filter_ray::FloatLine line{
@@ -90,7 +95,7 @@ bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame)
   if (!(offset <= frame.reach && slant <= 0x1p-12 * static_cast<double>(along))) return false;
   float margin = 0, distance_error = 0;
   set_errors(filter, frame, offset, slant / static_cast<double>(along), margin, distance_error);
-  filter_ray::set_lines(filter, line, margin, distance_error);
+  boxes = filter_ray::set_lines(filter, line, margin, distance_error);
   return true;
 }
 
@@ -98,25 +103,30 @@ bool set_lines(FilterRay& filter, const FrameRay& ray, const FilterFrame& frame)
 
 namespace filter_ray {
 
-bool set_rounded_lines(FilterRay& filter, const Point3& origin, const Vec3& direction, const RayError& error,
+bool set_rounded_lines(FilterRay& filter, BoxRay& boxes, const PlacedRay& placed, const Point3& origin,
                        const FilterFrame& frame) {
-  FrameRay ray{origin, direction, {error.origin * frame.factor, error.direction}, 0, 0};
+  FrameRay ray{origin, placed.object().direction, {placed.origin_error * frame.factor, placed.direction_error}, 0, 0};
   if (frame.center != Point3{}) ray.error.origin += 0x1p-53 * plumb::largest(origin);
-  return set_lines(filter, ray, frame);
+  return set_lines(filter, boxes, ray, frame);
 }
 
-FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter) {
+FilterRay::Fate make_from_afar(const PlacedRay& placed, const FilterFrame& frame, FilterRay& filter, BoxRay& boxes) {
+  const Ray& ray = placed.object();
+  if (!frame.is_usable) return FilterRay::Fate::unfiltered;
   const double length = plumb::largest(ray.direction), distance = plumb::largest(ray.origin);
   const double sum = ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y + ray.direction.z;
   if (!(ray.t_min <= ray.t_max)) return FilterRay::Fate::misses;
   // NaN fails every comparison, or makes the sum one. A ray that was taken to another frame may have lost its direction
   // on the way.
   if (std::isnan(sum) || !(length > 0 && length <= kLargestDouble && distance <= kLargestDouble))
-    return error.origin == 0 && error.direction == 0 ? FilterRay::Fate::misses : FilterRay::Fate::unfiltered;
+    return placed.is_exact() ? FilterRay::Fate::misses : FilterRay::Fate::unfiltered;
   if (!(length >= 0x1p-400 && length <= 0x1p400)) return FilterRay::Fate::unfiltered;
   const double shorten = std::scalbn(1.0, -std::ilogb(length));
-  FrameRay moved{
-      frame(ray.origin), shorten * ray.direction, {error.origin * frame.factor, error.direction * shorten}, 0, 0};
+  FrameRay moved{frame(ray.origin),
+                 shorten * ray.direction,
+                 {placed.origin_error * frame.factor, placed.direction_error * shorten},
+                 0,
+                 0};
   if (!(plumb::largest(moved.origin) <= 0x1p60)) return FilterRay::Fate::unfiltered;
   if (frame.center != Point3{}) moved.error.origin += 0x1p-53 * plumb::largest(moved.origin);
   filter.t_factor = frame.factor / shorten;
@@ -128,19 +138,18 @@ FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const Filt
   // What is off by much is not moved near enough.
   if (!(plumb::largest(moved.origin) <= 4 * frame.reach)) return FilterRay::Fate::unfiltered;
   filter.t_start = start / filter.t_factor;
-  if (!set_lines(filter, moved, frame)) return FilterRay::Fate::unfiltered;
+  if (!set_lines(filter, boxes, moved, frame)) return FilterRay::Fate::unfiltered;
   const double rounding = 0x1p-50 * std::fabs(start);
-  filter.t_min = wide_start(std::max(0.0, moved.t_min - rounding));
-  filter.t_max = wide_end(moved.t_max + rounding);
-  filter.surely_from = std::numeric_limits<float>::infinity();
-  filter.surely_to = 0;
+  // Nothing surely lies in it.
+  filter.range = {wide_start(std::max(0.0, moved.t_min - rounding)), wide_end(moved.t_max + rounding),
+                  std::numeric_limits<float>::infinity(), 0};
   return FilterRay::Fate::walk;
 }
 
 }  // namespace filter_ray
 
 void set_filter_errors(FilterFrame& frame) {
-  frame.near = static_cast<float>(3.99 * frame.reach);
+  frame.near = frame.is_usable ? static_cast<float>(3.99 * frame.reach) : -1;
   frame.is_identity = frame.factor == 1 && frame.center == Point3{};
   FilterRay none;
   set_errors(none, frame, 0, 0, frame.margin, frame.distance_error);

@@ -7,7 +7,7 @@
 
 #include "renderer/accel/bvh8_layout.h"
 #include "renderer/accel/float4.h"
-#include "renderer/math/ray.h"
+#include "renderer/math/placed_ray.h"
 
 namespace plumb {
 
@@ -20,17 +20,24 @@ inline float wide_start(double t) {
 }
 inline float wide_end(double t) { return static_cast<float>(t) * (1 + 0x1p-22F) + 0x1p-119F; }
 
-/// How far the numbers of a ray may be from those that it stands for, on each axis.
-struct RayError {
-  double origin = 0, direction = 0;
+/// The range in a tree's frame.
+struct FilterRange {
+  /// Rounded outward; t_min > 0.
+  float t_min, t_max;
+  /// Every t of the frame from the one to the other lies in the range.
+  float surely_from, surely_to;
+};
+
+/// A ray as boxes are tested against it. The lanes are x, y, z and nothing. A plane at p is met at
+/// (p - near_origin) * reciprocal at the earliest, where it is the near one, and at (p - far_origin) * reciprocal at
+/// the latest, where it is the far one, all errors included.
+struct BoxRay {
+  BoxSide near_origin, far_origin, reciprocal;
 };
 
 /// A ray in floats and in a tree's frame, with what the filters must allow for: docs/certified-kernel.md derives the
 /// bounds.
 struct FilterRay {
-  /// The lanes are x, y, z and nothing. A plane at p is met at (p - near_origin) * reciprocal at the earliest, where it
-  /// is the near one, and at (p - far_origin) * reciprocal at the latest, where it is the far one, all errors included.
-  BoxSide near_origin, far_origin, reciprocal;
   /// Where the near and the far sides begin in those of an axis of Bvh8Node::sides, in bytes.
   LaneMask near_offset, far_offset;
   /// kx, ky and kz, the axis along which the direction is longest; and nothing.
@@ -43,10 +50,7 @@ struct FilterRay {
   /// The reciprocal of the direction's longest coordinate, and how far off the t of a vertex' plane across that axis
   /// may be.
   float reciprocal_z, reciprocal_size_z, depth_error;
-  /// The range in the frame, rounded outward; t_min > 0.
-  float t_min, t_max;
-  /// Every t of the frame from the one to the other lies in the range.
-  float surely_from, surely_to;
+  FilterRange range;
   /// frame t = (t - t_start) * t_factor, for an end of the range.
   double t_start, t_factor;
 
@@ -68,6 +72,10 @@ void set_filter_errors(FilterFrame& frame);
 /// What make_filter_ray is made of. Its usual way is inlined into the walk of each instruction set.
 namespace filter_ray {
 
+using Doubles = double __attribute__((vector_size(32)));
+
+/// The digits that a double has and a float has not.
+constexpr std::int64_t kMoreDigits = 0x1fffffff;
 constexpr LaneMask kSign{INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN};
 
 [[gnu::always_inline]] inline BoxSide all(float value) { return BoxSide{value, value, value, value}; }
@@ -87,77 +95,93 @@ struct FloatLine {
   BoxSide origin, direction;
 };
 
-/// kx, ky, kz by which of |x| > |y|, |y| > |z| and |z| > |x| hold, as bits from the lowest.
+/// kx, ky, kz by which of |x| > |y|, |x| > |z| and |y| > |z| hold, as bits from the lowest; as longest_axis().
 inline constexpr std::array<std::array<std::uint8_t, 4>, 8> kAxes{
-    {{0, 1, 2, 0}, {1, 2, 0, 0}, {2, 0, 1, 0}, {1, 2, 0, 0}, {0, 1, 2, 0}, {0, 1, 2, 0}, {2, 0, 1, 0}, {0, 1, 2, 0}}};
+    {{0, 1, 2, 0}, {0, 1, 2, 0}, {0, 1, 2, 0}, {1, 2, 0, 0}, {2, 0, 1, 0}, {2, 0, 1, 0}, {2, 0, 1, 0}, {1, 2, 0, 0}}};
 
-/// Everything but the range, of a ray that is near the mesh and of moderate length.
-[[gnu::always_inline]] inline void set_lines(FilterRay& filter, const FloatLine& line, float margin,
-                                             float distance_error) {
+/// Of a range with t_min >= 0, all at once: as wide_start and wide_end, and three floats from these inward.
+[[gnu::always_inline]] inline FilterRange range_of(const Ray& ray, double factor) {
+  const BoxSide ends = __builtin_convertvector((Doubles{ray.t_min, ray.t_max, ray.t_min, ray.t_max} * factor), BoxSide);
+  constexpr float kIn = 1 - 0x1p-23F, kOut = 1 + 0x1p-22F;
+  const BoxSide wide = higher_of(ends * BoxSide{kIn, kOut, kIn, kOut} + BoxSide{0, 0x1p-119F, 0, 0x1p-119F},
+                                 BoxSide{0x1p-120F, 0, 0x1p-120F, 0});
+  return std::bit_cast<FilterRange>(wide * BoxSide{1, 1, 1 + 0x1p-20F, 1 - 0x1p-20F} - BoxSide{0, 0, 0, 0x1p-118F});
+}
+
+/// Everything but the range, of a ray that is near the mesh and of moderate length: its longest coordinate is above
+/// 2^-30. What it moves on an axis where it moves less than 2^-66, while it is near the mesh, is in the margin.
+[[gnu::always_inline]] inline BoxRay set_lines(FilterRay& filter, const FloatLine& line, float margin,
+                                               float distance_error) {
   const auto& [o, d] = line;
   const BoxSide sizes = size_of(d);
   const BoxSide wider = with_signs(all(margin), d);
-  const BoxSide reciprocal = 1 / with_signs(higher_of(sizes, 0x1p-36F * largest(sizes)), d);
-  filter.reciprocal = reciprocal;
-  filter.near_origin = o + wider;
-  filter.far_origin = o - wider;
+  const BoxSide reciprocal = 1 / with_signs(higher_of(sizes, all(0x1p-66F)), d);
   constexpr std::int32_t kRow = sizeof(Bvh8Node::sides[0][0]);
   const LaneMask backward = std::bit_cast<LaneMask>(d) >> 31;
   filter.near_offset = backward & kRow;
   filter.far_offset = ~backward & kRow;
-  filter.axis = kAxes[sign_bits(sizes > yzx(sizes)) & 7];
+  const BoxSide xxy = __builtin_shufflevector(sizes, sizes, 0, 0, 1, 3),
+                yzz = __builtin_shufflevector(sizes, sizes, 1, 2, 2, 3);
+  filter.axis = kAxes[sign_bits(xxy > yzz) & 7];
   filter.origin = o;
-  filter.reciprocal_z = filter.reciprocal[filter.axis[2]];
+  filter.shear = reciprocal;  // to be read by its axis
+  filter.reciprocal_z = filter.shear[filter.axis[2]];
   filter.shear = d * filter.reciprocal_z;
   const float reciprocal_size = std::fabs(filter.reciprocal_z);
   filter.reciprocal_size_z = reciprocal_size * (1 + 0x1p-20F);
   filter.depth_error = reciprocal_size * distance_error;
+  return {o + wider, o - wider, reciprocal};
 }
 
 /// A ray of any size, or from far away.
-FilterRay::Fate make_from_afar(const Ray& ray, const RayError& error, const FilterFrame& frame, FilterRay& filter);
-/// The lines of a ray with errors; false where these are so large that the bounds' derivation does not hold.
-bool set_rounded_lines(FilterRay& filter, const Point3& origin, const Vec3& direction, const RayError& error,
+FilterRay::Fate make_from_afar(const PlacedRay& placed, const FilterFrame& frame, FilterRay& filter, BoxRay& boxes);
+/// The lines of a ray with errors, whose origin is that in the frame; false where these are so large that the bounds'
+/// derivation does not hold.
+bool set_rounded_lines(FilterRay& filter, BoxRay& boxes, const PlacedRay& placed, const Point3& origin,
                        const FilterFrame& frame);
 
 }  // namespace filter_ray
 
-/// Fills `filter` for a ray in the mesh's coordinates; `misses` where the range is empty, the ray does not come near
-/// the mesh, or a number is not finite. Of `unfiltered` nothing is filled in: every triangle has to be looked at.
-[[gnu::always_inline]] inline FilterRay::Fate make_filter_ray(const Ray& ray, const RayError& error,
-                                                              const FilterFrame& frame, FilterRay& filter) {
+/// Fills `filter` and `boxes` for a ray in the mesh's coordinates; `misses` where the range is empty, the ray does not
+/// come near the mesh, or a number is not finite. Of `unfiltered` nothing is filled in: every triangle has to be looked
+/// at.
+[[gnu::always_inline]] inline FilterRay::Fate make_filter_ray(const PlacedRay& placed, const FilterFrame& frame,
+                                                              FilterRay& filter, BoxRay& boxes) {
   using namespace filter_ray;
-  using Doubles = double __attribute__((vector_size(32)));
-  if (!frame.is_usable) return FilterRay::Fate::unfiltered;
+  using Bits = std::int64_t __attribute__((vector_size(32)));
+  const Ray& ray = placed.object();
   const Vec3& d = ray.direction;
-  // By reference: a copy would load pairs of numbers that were stored one by one just before, which processors are slow
-  // at.
-  Point3 in_frame;
-  const Point3& o = frame.is_identity ? ray.origin : (in_frame = frame(ray.origin));
-  const FloatLine line{__builtin_convertvector((Doubles{o.x, o.y, o.z, 0}), BoxSide),
-                       __builtin_convertvector((Doubles{d.x, d.y, d.z, 0}), BoxSide)};
+  const Doubles direction{d.x, d.y, d.z, 0};
+  Doubles origin{ray.origin.x, ray.origin.y, ray.origin.z, 0};
+  const LaneMask more_digits = __builtin_convertvector(
+      (reinterpret_cast<Bits>(origin) | reinterpret_cast<Bits>(direction)) & kMoreDigits, LaneMask);
+  if (!frame.is_identity) origin = (origin - Doubles{frame.center.x, frame.center.y, frame.center.z, 0}) * frame.factor;
+  const FloatLine line{__builtin_convertvector(origin, BoxSide), __builtin_convertvector(direction, BoxSide)};
   const BoxSide sizes = size_of(line.direction);
   // What is false of NaN.
   const LaneMask moderate =
       (sizes < all(0x1p30F)) & (largest(sizes) > all(0x1p-30F)) & (size_of(line.origin) <= all(frame.near));
-  if (!((sign_bits(moderate) & 7) == 7 && ray.t_min >= 0 && ray.t_min <= ray.t_max))
-    return make_from_afar(ray, error, frame, filter);
+  const auto of_all = [](LaneMask mask) { return (sign_bits(mask) & 7) == 7; };
+  const bool is_float = of_all(moderate & (more_digits == 0));
+  if (!((is_float || of_all(moderate)) && ray.t_min >= 0 && ray.t_min <= ray.t_max)) {
+    BoxRay made;  // so that `boxes` may be kept in registers
+    const FilterRay::Fate fate = make_from_afar(placed, frame, filter, made);
+    boxes = made;
+    return fate;
+  }
   filter.t_factor = frame.factor;
   filter.t_start = 0;
-  filter.t_min = wide_start(ray.t_min * frame.factor);
-  filter.t_max = wide_end(ray.t_max * frame.factor);
-  filter.surely_from = filter.t_min * (1 + 0x1p-20F);
-  filter.surely_to = filter.t_max * (1 - 0x1p-20F) - 0x1p-118F;
-  // Whether a coordinate has more digits than a float.
-  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-  const bool is_float = ((bits(o.x) | bits(o.y) | bits(o.z) | bits(d.x) | bits(d.y) | bits(d.z)) & 0x1fffffff) == 0;
-  if (is_float && frame.is_identity && bits(error.origin + error.direction) == 0) {
+  filter.range = range_of(ray, frame.factor);
+  if (is_float && frame.is_identity && placed.is_exact()) {
     filter.weight_error = frame.weight_error;
     filter.weight_error_constant = frame.weight_error_constant;
-    set_lines(filter, line, frame.margin, frame.distance_error);
+    boxes = set_lines(filter, line, frame.margin, frame.distance_error);
     return FilterRay::Fate::walk;
   }
-  return set_rounded_lines(filter, o, d, error, frame) ? FilterRay::Fate::walk : FilterRay::Fate::unfiltered;
+  BoxRay made;
+  const bool has_bounds = set_rounded_lines(filter, made, placed, {origin[0], origin[1], origin[2]}, frame);
+  boxes = made;
+  return has_bounds ? FilterRay::Fate::walk : FilterRay::Fate::unfiltered;
 }
 
 }  // namespace plumb

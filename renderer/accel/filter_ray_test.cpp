@@ -37,7 +37,8 @@ TEST(FilterRay, ShearsAlongTheLongestAxis) {
         d[static_cast<std::size_t>(order[2])] = -least;
         const Ray ray{{0.5, 0.25, 2}, {d[0], d[1], d[2]}};
         FilterRay filter;
-        ASSERT_EQ(make_filter_ray(ray, {}, frame, filter), FilterRay::Fate::walk);
+        BoxRay boxes;
+        ASSERT_EQ(make_filter_ray(PlacedRay(ray), frame, filter, boxes), FilterRay::Fate::walk);
         EXPECT_EQ(std::fabs(d[filter.axis[2]]), 1) << d[0] << ' ' << d[1] << ' ' << d[2];
         EXPECT_LE(std::fabs(filter.shear[filter.axis[0]]), 1);
         EXPECT_LE(std::fabs(filter.shear[filter.axis[1]]), 1);

@@ -31,40 +31,43 @@ class FilteredLeaves {
       : searched_(searched), ray_(ray), filter_(filter) {}
 
   HWY_INLINE bool visit(const Bvh8Leaf& leaf, float& t_max) {
-    Met met;
-    std::uint32_t candidates = test(leaf, t_max, met);
+    std::uint32_t kept = test(leaf, t_max);
     if constexpr (kAny) {
-      if (met.surely != 0) return true;
-      while (candidates != 0)
-        if (exact().meets(corners_of(leaf, taken_slot(candidates)))) return true;
+      if (met_.surely != 0) return true;
+      return met_.maybe != 0 && is_any_met(leaf);
     } else {
-      while (candidates != 0) {
-        const std::uint32_t slot = taken_slot(candidates);
-        if ((met.surely >> slot & 1) != 0) {
-          const float near = met.near[slot], far = met.far[slot];
-          if (near > t_max) continue;
-          if (waiting_.leaf != nullptr && !(far < waiting_.near)) offer(*waiting_.leaf, waiting_.slot);
-          waiting_ = {&leaf, slot, near};
-          t_max = std::min(t_max, far);
-        } else {
-          offer(leaf, slot);
-          t_max = std::min(t_max, filter_.frame_t_max(closest_->t_max()));
-        }
+      if ((met_.maybe & ~met_.surely) != 0) {
+        t_max = settle(leaf, t_max);
+        return false;
       }
+      // Not those that may be met alone: which these are is known much later, while to ask it of each is a branch that
+      // is guessed. So all that follows need not wait for it.
+      while (kept != 0) {
+        const std::uint32_t slot = taken_slot(kept);
+        if ((met_.maybe >> slot & 1) == 0) continue;
+        const float near = met_.near[slot], far = met_.far[slot];
+        if (near > t_max) continue;
+        if (waiting_.leaf != nullptr && !(far < waiting_.near)) {
+          met_.maybe &= kept | 1U << slot;
+          t_max = settle(leaf, t_max);
+          return false;
+        }
+        waiting_ = {&leaf, slot, near};
+        t_max = std::min(t_max, far);
+      }
+      return false;
     }
-    return false;
   }
 
   HWY_INLINE std::optional<SurfaceHit> result() {
-    if (waiting_.leaf != nullptr) {
+    if (waiting_.leaf != nullptr && !closest_) {
       SurfaceHit hit;
-      if (!closest_ && is_plain(*waiting_.leaf, waiting_.slot, hit)) {
+      if (is_plain(*waiting_.leaf, waiting_.slot, hit)) {
         hit.part = searched_.tree.triangles[waiting_.leaf->first + waiting_.slot];
         return hit;
       }
-      offer(*waiting_.leaf, waiting_.slot);
     }
-    return closest_ ? closest_->result() : std::nullopt;
+    return waiting_.leaf != nullptr || closest_ ? settled() : std::nullopt;
   }
 
  private:
@@ -72,12 +75,14 @@ class FilteredLeaves {
   /// between which t of the frame.
   struct Met {
     std::uint32_t surely = 0;
+    /// And those that it may meet, within its range or at no known t.
+    std::uint32_t maybe = 0;
     alignas(32) std::array<float, 8> near, far;
   };
 
-  /// Which triangles of the leaf the ray may hit: all but those with the line surely on different sides of two edges,
-  /// or which it surely meets before t_min or beyond t_max. `met` is filled in where there are any.
-  HWY_INLINE std::uint32_t test(const Bvh8Leaf& leaf, float t_max, Met& met) const {
+  /// Looks at the triangles of the leaf; returns those that are not surely missed whatever the range, with the line on
+  /// different sides of two edges. `near` and `far` are filled in where there are any.
+  HWY_INLINE std::uint32_t test(const Bvh8Leaf& leaf, float t_max) {
     const auto [kx, ky, kz, unused] = filter_.axis;
     const auto from_origin = [&](std::uint8_t axis) {
       return load8(leaf.vertices[axis].data()) - all8(filter_.origin[axis]);
@@ -96,9 +101,11 @@ class FilteredLeaves {
     const Float8 error = product_plus(sizes, all8(filter_.weight_error), all8(filter_.weight_error_constant));
     const Float8 lowest = low(low(u, v), w), highest = high(high(u, v), w);
     // Rejected: lowest < -error and highest > error.
-    const std::uint32_t kept = at_most(negative(error), lowest) | at_most(highest, error);
-    const std::uint32_t candidates = kept & leaf.present;
-    if (candidates == 0) return 0;
+    const std::uint32_t kept = (at_most(negative(error), lowest) | at_most(highest, error)) & leaf.present;
+    if (kept == 0) {
+      met_.surely = met_.maybe = 0;
+      return 0;
+    }
 
     // t is that of the first corner's plane and, over det, `rise`: how much that of the two others differs, by weight.
     // Signs are turned so that det > 0.
@@ -117,14 +124,16 @@ class FilteredLeaves {
     const Float8 t_error =
         product_plus(size_of(beyond_a), area_error, rise_error) * (reciprocal * all8(kQuotientError));
     const Float8 near = t - t_error, far = t + t_error;
-    store8(near, met.near.data());
-    store8(far, met.far.data());
+    store8(near, met_.near.data());
+    store8(far, met_.far.data());
     const std::uint32_t has_t = at_most(area_error * all8(2), area);
     const std::uint32_t is_inside = at_most(error, lowest) | at_most(highest, negative(error));
-    const std::uint32_t is_in_range = at_most(all8(filter_.surely_from), near) & at_most(far, all8(filter_.surely_to));
-    const std::uint32_t may_be_in_range = at_most(all8(filter_.t_min), far) & at_most(near, all8(t_max));
-    met.surely = candidates & has_t & is_inside & is_in_range;
-    return candidates & (may_be_in_range | ~has_t);
+    const std::uint32_t is_in_range =
+        at_most(all8(filter_.range.surely_from), near) & at_most(far, all8(filter_.range.surely_to));
+    const std::uint32_t may_be_in_range = at_most(all8(filter_.range.t_min), far) & at_most(near, all8(t_max));
+    met_.maybe = kept & (may_be_in_range | ~has_t);
+    met_.surely = kept & has_t & is_inside & is_in_range;
+    return kept;
   }
 
   /// How far det may be off, in errors of a weight; how much larger than det the sum of the weights' sizes may be; and
@@ -132,44 +141,78 @@ class FilteredLeaves {
   static constexpr float kAreaError = 3.2F, kWeightsError = 4.1F, kQuotientError = 2.001F;
 
   HWY_INLINE ClosestTriangle& exact() {
-    if (!closest_) closest_.emplace(ray_, searched_.mesh, searched_.largest_coordinate);
+    if (!closest_) closest_.emplace(ray_, *searched_.mesh, searched_.largest_coordinate);
     return *closest_;
   }
   HWY_INLINE void offer(const Bvh8Leaf& leaf, std::uint32_t slot) {
     exact().offer(searched_.tree.triangles[leaf.first + slot], corners_of(leaf, slot));
   }
+
+  // What is needed rarely is not part of the walk, which would keep less in registers.
+
+  HWY_NOINLINE bool is_any_met(const Bvh8Leaf& leaf) {
+    for (std::uint32_t rest = met_.maybe; rest != 0;)
+      if (exact().meets(corners_of(leaf, taken_slot(rest)))) return true;
+    return false;
+  }
+
+  /// Takes the triangles that may be met into account, exactly where it must; returns the new t_max.
+  HWY_NOINLINE float settle(const Bvh8Leaf& leaf, float t_max) {
+    for (std::uint32_t rest = met_.maybe; rest != 0;) {
+      const std::uint32_t slot = taken_slot(rest);
+      if ((met_.surely >> slot & 1) == 0) {
+        offer(leaf, slot);
+        t_max = std::min(t_max, filter_.frame_t_max(closest_->t_max()));
+        continue;
+      }
+      if (met_.near[slot] > t_max) continue;
+      if (waiting_.leaf != nullptr && !(met_.far[slot] < waiting_.near)) offer(*waiting_.leaf, waiting_.slot);
+      waiting_ = {&leaf, slot, met_.near[slot]};
+      t_max = std::min(t_max, met_.far[slot]);
+    }
+    return t_max;
+  }
+
+  HWY_NOINLINE std::optional<SurfaceHit> settled() {
+    if (waiting_.leaf != nullptr) offer(*waiting_.leaf, waiting_.slot);
+    return closest_->result();
+  }
+
   /// Whether the hit of a triangle that is met is found without a ClosestTriangle.
   HWY_INLINE bool is_plain(const Bvh8Leaf& leaf, std::uint32_t slot, SurfaceHit& hit) const {
-    const double largest = searched_.largest_coordinate;
-    return searched_.tree.exact_vertices ? met_plainly(ray_, largest, float_corners_of(leaf, slot), hit)
-                                         : met_plainly(ray_, largest, mesh_corners_of(leaf, slot), hit);
+    // Floats know hits only of rays that are near.
+    const double error = ray_.is_exact() ? searched_.near_weight_error : placed_weight_error();
+    if (!searched_.tree.exact_vertices) return met_plainly(ray_, filter_.axis, error, mesh_corners_of(leaf, slot), hit);
+    const auto corner = [&](std::size_t k) {
+      const std::uint8_t i = leaf.corner[k][slot];
+      return BoxSide{leaf.vertices[0][i], leaf.vertices[1][i], leaf.vertices[2][i], 0};
+    };
+    return met_plainly(ray_, filter_.axis, error, std::array{corner(0), corner(1), corner(2)}, hit);
+  }
+  HWY_NOINLINE double placed_weight_error() const {
+    const double m = 1.001 * (searched_.largest_coordinate + largest_coordinate(ray_.object().origin));
+    const ShearedRay sheared(ray_);
+    return any_weight_error(m, sheared.drift, sheared.drift_growth);
   }
 
   /// The mesh's own; from the leaf, where that has them to the bit.
   HWY_INLINE TriangleVertices corners_of(const Bvh8Leaf& leaf, std::uint32_t slot) const {
     if (!searched_.tree.exact_vertices) return mesh_corners_of(leaf, slot);
-    const auto [a, b, c] = float_corners_of(leaf, slot);
-    return {Point3{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
-  }
-  HWY_INLINE TriangleVertices mesh_corners_of(const Bvh8Leaf& leaf, std::uint32_t slot) const {
-    const auto& [a, b, c] = searched_.mesh.triangles[searched_.tree.triangles[leaf.first + slot]];
-    return {searched_.mesh.positions[a], searched_.mesh.positions[b], searched_.mesh.positions[c]};
-  }
-  struct FloatPoint {
-    float x, y, z;
-  };
-  HWY_INLINE std::array<FloatPoint, 3> float_corners_of(const Bvh8Leaf& leaf, std::uint32_t slot) const {
     const auto corner = [&](std::size_t k) {
       const std::uint8_t i = leaf.corner[k][slot];
-      return FloatPoint{leaf.vertices[0][i], leaf.vertices[1][i], leaf.vertices[2][i]};
+      return Point3{leaf.vertices[0][i], leaf.vertices[1][i], leaf.vertices[2][i]};
     };
     return {corner(0), corner(1), corner(2)};
   }
-
+  HWY_INLINE TriangleVertices mesh_corners_of(const Bvh8Leaf& leaf, std::uint32_t slot) const {
+    const auto& [a, b, c] = searched_.mesh->triangles[searched_.tree.triangles[leaf.first + slot]];
+    return {searched_.mesh->positions[a], searched_.mesh->positions[b], searched_.mesh->positions[c]};
+  }
   const SearchedMesh& searched_;
   const PlacedRay& ray_;
   const FilterRay& filter_;
   std::optional<ClosestTriangle> closest_;
+  Met met_;
   /// A triangle that is met, and not before `near`; what is met before it, if anything, was offered.
   struct {
     const Bvh8Leaf* leaf = nullptr;

@@ -16,8 +16,8 @@ namespace HWY_NAMESPACE {
 
 class NodeTest {
  public:
-  HWY_INLINE explicit NodeTest(const FilterRay& ray)
-      : NodeTest(ray, ray.near_origin * ray.reciprocal, ray.far_origin * ray.reciprocal) {}
+  HWY_INLINE NodeTest(const FilterRay& ray, const BoxRay& boxes)
+      : NodeTest(ray, boxes.reciprocal, boxes.near_origin * boxes.reciprocal, boxes.far_origin * boxes.reciprocal) {}
 
   HWY_INLINE void set_t_max(float t_max) { t_max_ = all8(t_max); }
 
@@ -30,13 +30,13 @@ class NodeTest {
   }
 
  private:
-  HWY_INLINE NodeTest(const FilterRay& ray, BoxSide near, BoxSide far)
+  HWY_INLINE NodeTest(const FilterRay& ray, BoxSide reciprocal, BoxSide near, BoxSide far)
       : ray_(ray),
-        x_{all8(ray.reciprocal[0]), all8(near[0]), all8(far[0])},
-        y_{all8(ray.reciprocal[1]), all8(near[1]), all8(far[1])},
-        z_{all8(ray.reciprocal[2]), all8(near[2]), all8(far[2])},
-        t_min_(all8(ray.t_min)),
-        t_max_(all8(ray.t_max)) {}
+        x_{all8(reciprocal[0]), all8(near[0]), all8(far[0])},
+        y_{all8(reciprocal[1]), all8(near[1]), all8(far[1])},
+        z_{all8(reciprocal[2]), all8(near[2]), all8(far[2])},
+        t_min_(all8(ray.range.t_min)),
+        t_max_(all8(ray.range.t_max)) {}
 
   template <class Entered>
   HWY_INLINE std::uint32_t test(const Bvh8Node& node, const Entered& entered) const {

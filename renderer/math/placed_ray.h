@@ -1,5 +1,8 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "renderer/math/ray.h"
 #include "renderer/math/transform.h"
 
@@ -21,6 +24,12 @@ struct PlacedRay {
 
   /// In object space, with the world's range: t means the same.
   const Ray& object() const { return world_from_object ? object_ : *world; }
+
+  /// Whether no coordinate is off.
+  bool is_exact() const {
+    // As whole numbers, of which none is read together with another: both may have been written just before.
+    return (std::bit_cast<std::uint64_t>(origin_error) | std::bit_cast<std::uint64_t>(direction_error)) == 0;
+  }
 
   /// Hits strictly beyond need not be found. Never decides what lies in the range.
   double nearest = std::numeric_limits<double>::infinity();

@@ -16,9 +16,7 @@ class ClosestTriangle {
   ClosestTriangle(const PlacedRay& ray, const TriangleMesh& mesh, double largest_coordinate)
       : mesh_(mesh), ray_(ray), t_max_(std::min(ray.object().t_max, ray.nearest)) {
     const double m = 1.001 * (largest_coordinate + plumb::largest_coordinate(ray.object().origin));
-    // A sheared coordinate is one of at most m plus at most another such. Within these nothing overflows, and what
-    // underflows is below 2^-1074 m, far below the bound.
-    any_weight_error_ = m >= 0x1p-200 && m <= 0x1p200 ? weight_error(ray_, m, 12.1 * m) : Bounds3::kInfinity;
+    any_weight_error_ = plumb::any_weight_error(m, ray_.drift, ray_.drift_growth);
     const double along = std::fabs(coordinate(ray.object().direction, ray_.kz));
     has_ordinary_length_ = along >= 0x1p-200 && along <= 0x1p200;
   }

@@ -135,7 +135,7 @@ bool meet(const ShearedRay& sheared, const ShearedTriangle& triangle, const Poin
   std::array<double, 3> weights = triangle.weights;
   const double reach =
       std::fabs(pa.x) + std::fabs(pa.y) + std::fabs(pb.x) + std::fabs(pb.y) + std::fabs(pc.x) + std::fabs(pc.y);
-  const double error = weight_error(sheared, m, reach);
+  const double error = weight_error(m, reach, sheared.drift, sheared.drift_growth);
   const bool is_placed = sheared.world_from_object != nullptr;
   if (!(error <= kLargest)) {  // NaN, or a direction without digits
     if (is_placed) return exactly_meet(sheared, a, b, c, meeting);

@@ -167,10 +167,17 @@ struct ShearedTriangle {
 };
 
 /// The error of the weights where no vertex is further than `m` on an axis, and the six coordinates of the plane's
-/// points sum up to `reach`. Derived in docs/certified-kernel.md.
-inline double weight_error(const ShearedRay& ray, double m, double reach) {
-  const double each = 0x1p-49 * m + (ray.drift + ray.drift_growth * m);
+/// points sum up to `reach`; drift and its growth as of a ShearedRay. Derived in docs/certified-kernel.md.
+inline double weight_error(double m, double reach, double drift, double drift_growth) {
+  const double each = 0x1p-49 * m + (drift + drift_growth * m);
   return each * (reach + 2 * each);
+}
+
+/// The same whatever the plane's points are; infinity where no bound holds. A sheared coordinate is one of at most m
+/// plus at most another such. For these m nothing overflows, and what underflows is below 2^-1074 m, far below the
+/// bound.
+inline double any_weight_error(double m, double drift, double drift_growth) {
+  return m >= 0x1p-200 && m <= 0x1p200 ? weight_error(m, 12.1 * m, drift, drift_growth) : Bounds3::kInfinity;
 }
 
 /// How much of the edges' and the direction's sizes must be left in their product for a t that is reported, and for one

@@ -53,7 +53,7 @@ struct Worst {
     const ShearedTriangle triangle(ray, corners[0], corners[1], corners[2]);
     double reach = 0;
     for (const auto& p : triangle.plane) reach += std::fabs(p.x) + std::fabs(p.y);
-    const double bound = weight_error(ray, triangle.largest(), reach);
+    const double bound = weight_error(triangle.largest(), reach, ray.drift, ray.drift_growth);
     const auto exact = exact_weights(m, world, ray.kz, corners);
     for (std::size_t i = 0; i < 3; ++i) {
       ratio = std::max(ratio, static_cast<double>(std::fabs(triangle.weights[i] - exact[i]) / bound));

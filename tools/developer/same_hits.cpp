@@ -95,17 +95,22 @@ void print_hashes(const char* target, const Asked& asked) {
       target, hits, blocked, triangles.value(), numbers.value(), static_cast<std::uint64_t>(counters.node_visits));
 }
 
-int run(std::size_t count) {
+/// The hierarchies are for the instruction set that is chosen when they are made.
+void print_hashes(const char* target, std::size_t count) {
   Asked asked;
   asked.add(in_floats(icosphere(4)), count);
   asked.add(icosphere(3), count);
   asked.add(in_floats(city_kind.make({.triangles = 20000, .progress = {}})), count);
+  print_hashes(target, asked);
+}
+
+int run(std::size_t count) {
 #ifdef HWY_COMPILE_ONLY_STATIC
-  print_hashes(hwy::TargetName(HWY_STATIC_TARGET), asked);
+  print_hashes(hwy::TargetName(HWY_STATIC_TARGET), count);
 #else
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::GetChosenTarget().Update(target);
-    print_hashes(hwy::TargetName(target), asked);
+    print_hashes(hwy::TargetName(target), count);
     hwy::GetChosenTarget().DeInit();
   }
 #endif

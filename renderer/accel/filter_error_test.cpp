@@ -37,18 +37,16 @@ void measure(const Ray& ray, const PlacedRay& rounded, const FilterFrame& frame,
   FilterRay filter;
   BoxRay boxes;
   ASSERT_EQ(make_filter_ray(rounded, frame, filter, boxes), FilterRay::Fate::walk);
-  const auto kz = static_cast<int>(filter.axis[2]);
+  const auto kz = filter.axis[2];
   std::array<float, 3> x, y, z;
   std::array<Wide, 3> exact;
   float sizes = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point3& p = corners[i];
-    const auto from_origin = [&](std::size_t k) {
-      return static_cast<float>(p[static_cast<int>(filter.axis[k])]) - filter.origin[filter.axis[k]];
-    };
+    const auto from_origin = [&](int k) { return static_cast<float>(p[filter.axis[k]]) - filter.origin[k]; };
     z[i] = from_origin(2);
-    x[i] = from_origin(0) - filter.shear[filter.axis[0]] * z[i];
-    y[i] = from_origin(1) - filter.shear[filter.axis[1]] * z[i];
+    x[i] = from_origin(0) - filter.shear[0] * z[i];
+    y[i] = from_origin(1) - filter.shear[1] * z[i];
     sizes += std::fabs(x[i]) + std::fabs(y[i]);
     exact[i] = from_to(ray.origin, p);
   }

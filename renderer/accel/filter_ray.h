@@ -40,8 +40,10 @@ struct BoxRay {
 struct FilterRay {
   /// Where the near and the far sides begin in those of an axis of Bvh8Node::sides, in bytes.
   LaneMask near_offset, far_offset;
-  /// kx, ky and kz, the axis along which the direction is longest; and nothing.
-  std::array<std::uint8_t, 4> axis;
+  /// kx, ky and kz, the axis along which the direction is longest; and nothing. Lanes below are in their order.
+  LaneMask axis;
+  /// Where these axes begin in Bvh8Leaf::vertices, in bytes.
+  LaneMask row;
   BoxSide origin;
   /// The direction over its longest coordinate.
   BoxSide shear;
@@ -96,8 +98,8 @@ struct FloatLine {
 };
 
 /// kx, ky, kz by which of |x| > |y|, |x| > |z| and |y| > |z| hold, as bits from the lowest; as longest_axis().
-inline constexpr std::array<std::array<std::uint8_t, 4>, 8> kAxes{
-    {{0, 1, 2, 0}, {0, 1, 2, 0}, {0, 1, 2, 0}, {1, 2, 0, 0}, {2, 0, 1, 0}, {2, 0, 1, 0}, {2, 0, 1, 0}, {1, 2, 0, 0}}};
+inline constexpr std::array<LaneMask, 8> kAxes{
+    {{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {2, 0, 1, 3}, {2, 0, 1, 3}, {1, 2, 0, 3}}};
 
 /// Of a range with t_min >= 0, all at once: as wide_start and wide_end, and three floats from these inward.
 [[gnu::always_inline]] inline FilterRange range_of(const Ray& ray, double factor) {
@@ -123,11 +125,12 @@ inline constexpr std::array<std::array<std::uint8_t, 4>, 8> kAxes{
   const BoxSide xxy = __builtin_shufflevector(sizes, sizes, 0, 0, 1, 3),
                 yzz = __builtin_shufflevector(sizes, sizes, 1, 2, 2, 3);
   filter.axis = kAxes[sign_bits(xxy > yzz) & 7];
-  filter.origin = o;
-  filter.shear = reciprocal;  // to be read by its axis
-  filter.reciprocal_z = filter.shear[filter.axis[2]];
-  filter.shear = d * filter.reciprocal_z;
-  const float reciprocal_size = std::fabs(filter.reciprocal_z);
+  filter.row = filter.axis * static_cast<std::int32_t>(sizeof(Bvh8Leaf::vertices[0]));
+  filter.origin = taken(o, filter.axis);
+  const BoxSide ordered = taken(reciprocal, filter.axis), z = __builtin_shufflevector(ordered, ordered, 2, 2, 2, 2);
+  filter.shear = taken(d, filter.axis) * z;
+  filter.reciprocal_z = z[0];
+  const float reciprocal_size = std::fabs(z[0]);
   filter.reciprocal_size_z = reciprocal_size * (1 + 0x1p-20F);
   filter.depth_error = reciprocal_size * distance_error;
   return {o + wider, o - wider, reciprocal};

@@ -39,9 +39,9 @@ TEST(FilterRay, ShearsAlongTheLongestAxis) {
         FilterRay filter;
         BoxRay boxes;
         ASSERT_EQ(make_filter_ray(PlacedRay(ray), frame, filter, boxes), FilterRay::Fate::walk);
-        EXPECT_EQ(std::fabs(d[filter.axis[2]]), 1) << d[0] << ' ' << d[1] << ' ' << d[2];
-        EXPECT_LE(std::fabs(filter.shear[filter.axis[0]]), 1);
-        EXPECT_LE(std::fabs(filter.shear[filter.axis[1]]), 1);
+        EXPECT_EQ(std::fabs(d[static_cast<std::size_t>(filter.axis[2])]), 1) << d[0] << ' ' << d[1] << ' ' << d[2];
+        EXPECT_LE(std::fabs(filter.shear[0]), 1);
+        EXPECT_LE(std::fabs(filter.shear[1]), 1);
         const ShearedRay sheared(ray);
         EXPECT_EQ(std::fabs(d[static_cast<std::size_t>(sheared.kz)]), 1) << d[0] << ' ' << d[1] << ' ' << d[2];
         EXPECT_LE(std::fabs(sheared.shear_x), 1);

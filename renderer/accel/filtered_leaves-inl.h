@@ -83,13 +83,13 @@ class FilteredLeaves {
   /// Looks at the triangles of the leaf; returns those that are not surely missed whatever the range, with the line on
   /// different sides of two edges. `near` and `far` are filled in where there are any.
   HWY_INLINE std::uint32_t test(const Bvh8Leaf& leaf, float t_max) {
-    const auto [kx, ky, kz, unused] = filter_.axis;
-    const auto from_origin = [&](std::uint8_t axis) {
-      return load8(leaf.vertices[axis].data()) - all8(filter_.origin[axis]);
+    const auto from_origin = [&](int k) {
+      const auto* const row = reinterpret_cast<const std::byte*>(&leaf) + static_cast<std::uint32_t>(filter_.row[k]);
+      return load8(reinterpret_cast<const float*>(row)) - all8(filter_.origin[k]);
     };
-    const Float8 az = from_origin(kz);
-    const Float8 x = less_product(from_origin(kx), all8(filter_.shear[kx]), az);
-    const Float8 y = less_product(from_origin(ky), all8(filter_.shear[ky]), az);
+    const Float8 az = from_origin(2);
+    const Float8 x = less_product(from_origin(0), all8(filter_.shear[0]), az);
+    const Float8 y = less_product(from_origin(1), all8(filter_.shear[1]), az);
     const Float8 size = size_of(x) + size_of(y);
     const Lanes8 a = lanes_from(leaf.corner[0].data()), b = lanes_from(leaf.corner[1].data()),
                  c = lanes_from(leaf.corner[2].data());

@@ -13,6 +13,15 @@ inline BoxSide higher_of(BoxSide a, BoxSide b) { return a > b ? a : b; }
 /// What comparing two of them gives: all ones or zero.
 using LaneMask = std::int32_t __attribute__((vector_size(16)));
 
+/// The lanes with these numbers, 0 to 3.
+[[gnu::always_inline]] inline BoxSide taken(BoxSide v, LaneMask lanes) {
+#ifdef __clang__
+  return BoxSide{v[lanes[0]], v[lanes[1]], v[lanes[2]], v[lanes[3]]};
+#else
+  return __builtin_shuffle(v, lanes);
+#endif
+}
+
 /// The signs of the lanes, the first in the lowest bit.
 [[gnu::always_inline]] inline std::uint32_t sign_bits(LaneMask lanes) {
 #ifdef __SSE__

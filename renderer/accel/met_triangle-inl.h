@@ -67,12 +67,13 @@ HWY_INLINE double largest(Triple v) {
 /// ShearedRay, unless rounding the direction to floats made two coordinates equally long. No weight is off by more than
 /// `error`. The direction is of moderate size.
 template <class Corner>
-HWY_INLINE bool met_plainly(const PlacedRay& placed, const std::array<std::uint8_t, 4>& axis, double error,
+HWY_INLINE bool met_plainly(const PlacedRay& placed, const LaneMask& axis, double error,
                             const std::array<Corner, 3>& corners, SurfaceHit& hit) {
   const Ray& ray = placed.object();
   const Triple a = triple(corners[0]), b = triple(corners[1]), c = triple(corners[2]);
   const Triple o = triple(ray.origin), direction = triple(ray.direction);
-  const std::size_t kx = axis[0], ky = axis[1], kz = axis[2];
+  const auto kx = static_cast<std::size_t>(axis[0]), ky = static_cast<std::size_t>(axis[1]),
+             kz = static_cast<std::size_t>(axis[2]);
   const double along = coordinate(ray.direction, axis[2]), length = std::fabs(along);
   const Triple shear = direction / all(along);
   const bool is_longest = are_within(direction, length);
@@ -115,8 +116,7 @@ HWY_INLINE bool met_plainly(const PlacedRay& placed, const std::array<std::uint8
 #else  // a ClosestTriangle is as fast
 
 template <class Corner>
-HWY_INLINE bool met_plainly(const PlacedRay&, const std::array<std::uint8_t, 4>&, double, const std::array<Corner, 3>&,
-                            SurfaceHit&) {
+HWY_INLINE bool met_plainly(const PlacedRay&, const LaneMask&, double, const std::array<Corner, 3>&, SurfaceHit&) {
   return false;
 }
 

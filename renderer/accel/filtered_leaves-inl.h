@@ -40,8 +40,8 @@ class FilteredLeaves {
         t_max = settle(leaf, t_max);
         return false;
       }
-      // Not those that may be met alone: which these are is known much later, while to ask it of each is a branch that
-      // is guessed. So all that follows need not wait for it.
+      // Which of these may be met is known much later. As a branch that is guessed nothing waits for it, as what the
+      // next slot comes from all would.
       while (kept != 0) {
         const std::uint32_t slot = taken_slot(kept);
         if ((met_.maybe >> slot & 1) == 0) continue;
@@ -80,8 +80,8 @@ class FilteredLeaves {
     alignas(32) std::array<float, 8> near, far;
   };
 
-  /// Looks at the triangles of the leaf; returns those that are not surely missed whatever the range, with the line on
-  /// different sides of two edges. `near` and `far` are filled in where there are any.
+  /// Looks at the triangles of the leaf and fills in `met_`, `near` and `far` only where any is returned: all but those
+  /// that the line passes by, surely on different sides of two edges, whatever the range.
   HWY_INLINE std::uint32_t test(const Bvh8Leaf& leaf, float t_max) {
     const auto from_origin = [&](int k) {
       const auto* const row = reinterpret_cast<const std::byte*>(&leaf) + static_cast<std::uint32_t>(filter_.row[k]);
@@ -208,6 +208,7 @@ class FilteredLeaves {
     const auto& [a, b, c] = searched_.mesh->triangles[searched_.tree.triangles[leaf.first + slot]];
     return {searched_.mesh->positions[a], searched_.mesh->positions[b], searched_.mesh->positions[c]};
   }
+
   const SearchedMesh& searched_;
   const PlacedRay& ray_;
   const FilterRay& filter_;

@@ -44,7 +44,7 @@ class Entry {
   HWY_INLINE float t() const { return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32)); }
   HWY_INLINE Bvh8Reference reference() const { return static_cast<Bvh8Reference>(bits_); }
   friend HWY_INLINE bool operator<(Entry p, Entry q) { return p.bits_ < q.bits_; }
-  /// The farther one first. Nobody can guess which that is, so it is not a branch.
+  /// The farther one first. Nobody can guess which that is, so these are minima and maxima: no branch.
   static HWY_INLINE void sort(Entry& p, Entry& q) {
     const std::uint64_t nearer = p.bits_ < q.bits_ ? p.bits_ : q.bits_, farther = p.bits_ < q.bits_ ? q.bits_ : p.bits_;
     p.bits_ = farther;

@@ -101,7 +101,7 @@ struct FloatLine {
 inline constexpr std::array<LaneMask, 8> kAxes{
     {{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {2, 0, 1, 3}, {2, 0, 1, 3}, {1, 2, 0, 3}}};
 
-/// Of a range with t_min >= 0, all at once: as wide_start and wide_end, and three floats from these inward.
+/// Of a range with t_min >= 0, all at once: the ends as by wide_start and wide_end, and these moved inward by 2^-20.
 [[gnu::always_inline]] inline FilterRange range_of(const Ray& ray, double factor) {
   const BoxSide ends = __builtin_convertvector((Doubles{ray.t_min, ray.t_max, ray.t_min, ray.t_max} * factor), BoxSide);
   constexpr float kIn = 1 - 0x1p-23F, kOut = 1 + 0x1p-22F;

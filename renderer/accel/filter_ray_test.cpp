@@ -44,6 +44,10 @@ TEST(FilterRay, ShearsAlongTheLongestAxis) {
         EXPECT_LE(std::fabs(filter.shear[1]), 1);
         const ShearedRay sheared(ray);
         EXPECT_EQ(std::fabs(d[static_cast<std::size_t>(sheared.kz)]), 1) << d[0] << ' ' << d[1] << ' ' << d[2];
+        // The numbers of a hit are computed along the filter's axes, to the bits of those along these.
+        EXPECT_EQ(filter.axis[0], sheared.kx) << d[0] << ' ' << d[1] << ' ' << d[2];
+        EXPECT_EQ(filter.axis[1], sheared.ky) << d[0] << ' ' << d[1] << ' ' << d[2];
+        EXPECT_EQ(filter.axis[2], sheared.kz) << d[0] << ' ' << d[1] << ' ' << d[2];
         EXPECT_LE(std::fabs(sheared.shear_x), 1);
         EXPECT_LE(std::fabs(sheared.shear_y), 1);
         ++rays;

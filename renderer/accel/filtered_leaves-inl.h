@@ -40,8 +40,8 @@ class FilteredLeaves {
         t_max = settle(leaf, t_max);
         return false;
       }
-      // Which of these may be met is known much later. As a branch that is guessed nothing waits for it, as what the
-      // next slot comes from all would.
+      // A slot comes from `kept`, which is known long before `met_`: all that follows waits for it. Whether that
+      // triangle may be met is a branch, which the processor guesses.
       while (kept != 0) {
         const std::uint32_t slot = taken_slot(kept);
         if ((met_.maybe >> slot & 1) == 0) continue;
